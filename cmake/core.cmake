@@ -1,0 +1,44 @@
+# The ROS-free half. Nothing here links catkin, and core_without_ros fails the build when a ROS
+# header is included all the same (Debian keeps ROS headers in /usr/include, where any target sees
+# them).
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(PCL REQUIRED COMPONENTS common io)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tsl-robin-map REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(TBB QUIET CONFIG)
+if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
+  find_library(TBB_LIBRARY tbb REQUIRED)
+  add_library(TBB::tbb UNKNOWN IMPORTED)
+  set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
+endif()
+
+set(REVISIT_SLAM_CORE_FOLDERS core geometry input odometry information mapping io)
+set(core_sources)
+foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
+  file(GLOB folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)
+  list(APPEND core_sources ${folder_sources})
+endforeach()
+
+add_library(revisit_slam_core STATIC ${core_sources})
+revisit_slam_target_options(revisit_slam_core)
+target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
+target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")
+target_link_libraries(revisit_slam_core
+  PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads
+  PRIVATE ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
+
+file(GLOB simulation_sources CONFIGURE_DEPENDS src/simulation/*.cpp)
+add_library(revisit_slam_simulation STATIC ${simulation_sources})
+revisit_slam_target_options(revisit_slam_simulation)
+target_link_libraries(revisit_slam_simulation PUBLIC revisit_slam_core embree)
+
+add_custom_target(core_without_ros ALL
+  COMMAND ${CMAKE_COMMAND} "-DFOLDERS=${REVISIT_SLAM_CORE_FOLDERS};simulation"
+          -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/core_without_ros.cmake
+  VERBATIM)
+add_dependencies(revisit_slam_core core_without_ros)

@@ -1,0 +1,41 @@
+# The half that knows ROS: conversions, nodelets, programs.
+find_package(catkin REQUIRED COMPONENTS
+  diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib rosbag roscpp
+  sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros topic_tools visualization_msgs)
+
+generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES revisit_slam_nodelets
+  CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet rosbag roscpp
+                 sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
+
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+add_library(revisit_slam_ros STATIC ${ros_sources})
+revisit_slam_target_options(revisit_slam_ros)
+target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
+target_link_libraries(revisit_slam_ros PUBLIC revisit_slam_core ${catkin_LIBRARIES})
+add_dependencies(revisit_slam_ros ${catkin_EXPORTED_TARGETS} ${PROJECT_NAME}_gencfg)
+
+file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
+add_library(revisit_slam_nodelets SHARED ${nodelet_sources})
+revisit_slam_target_options(revisit_slam_nodelets)
+target_link_libraries(revisit_slam_nodelets PRIVATE revisit_slam_ros)
+
+function(revisit_slam_program name)
+  add_executable(${name} src/apps/${name}.cpp)
+  revisit_slam_target_options(${name})
+  target_link_libraries(${name} PRIVATE revisit_slam_ros CLI11::CLI11 nlohmann_json::nlohmann_json ${ARGN})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endfunction()
+revisit_slam_program(offline)
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/src/apps/simulate.cpp)
+revisit_slam_program(simulate revisit_slam_simulation)
+endif()
+
+install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(PROGRAMS scripts/report scripts/compare_odometry DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -1,0 +1,28 @@
+# One gtest program per folder of test/, rostests in test/nodelets. `tests` builds them all.
+if(NOT CATKIN_ENABLE_TESTING)
+  return()
+endif()
+enable_testing()
+
+function(revisit_slam_gtest folder)
+  file(GLOB sources CONFIGURE_DEPENDS test/${folder}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  catkin_add_gtest(${folder}_test ${sources} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  revisit_slam_target_options(${folder}_test)
+  target_include_directories(${folder}_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/test)
+  target_link_libraries(${folder}_test ${ARGN} gtest_main)
+endfunction()
+
+foreach(folder ${REVISIT_SLAM_CORE_FOLDERS} simulation)
+  revisit_slam_gtest(${folder} revisit_slam_simulation)
+endforeach()
+revisit_slam_gtest(ros revisit_slam_ros revisit_slam_simulation)
+revisit_slam_gtest(apps revisit_slam_ros revisit_slam_simulation nlohmann_json::nlohmann_json)
+
+find_package(rostest REQUIRED)
+file(GLOB rostests CONFIGURE_DEPENDS test/nodelets/*.test)
+foreach(rostest ${rostests})
+  add_rostest(${rostest} DEPENDENCIES tests)
+endforeach()
