@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace revisit_slam {
+
+/// A number that names one thing of one kind; ids of different kinds do not mix.
+template <typename Tag>
+struct Id {
+  std::uint32_t value = 0;
+
+  friend bool operator==(Id a, Id b) { return a.value == b.value; }
+  friend bool operator!=(Id a, Id b) { return a.value != b.value; }
+  friend bool operator<(Id a, Id b) { return a.value < b.value; }
+};
+
+/// Counts the scans that the odometry registered, from 0, without gaps.
+using ScanId = Id<struct ScanTag>;
+using SubmapId = Id<struct SubmapTag>;
+using LocalMapId = Id<struct LocalMapTag>;
+
+}  // namespace revisit_slam

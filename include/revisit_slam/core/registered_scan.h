@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/ids.h"
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/core/scan.h"
+#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/odometry/motion.h"
+#include "revisit_slam/odometry/registration.h"
+
+namespace revisit_slam {
+
+/// A scan with its place in the odometry frame; what the odometry hands on.
+struct RegisteredScan {
+  ScanId id;
+  Stamp stamp;  ///< the instant at which the pose is valid
+  Pose T_odom_base;
+  Tangent velocity_base = Tangent::Zero();  ///< [m/s; rad/s], mean since the previous scan
+  Points points_base;       ///< all points in range, deskewed to `stamp`
+  Points source_base;       ///< the down-sampled points that were registered
+  RegistrationResult registration;
+  double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
+  bool deskewed = false;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace revisit_slam {
+
+/// What became of every scan and point received: received = processed + dropped, by reason.
+struct ScanAccount {
+  std::size_t received = 0;
+  std::size_t processed = 0;
+  std::map<std::string, std::size_t> dropped;
+
+  std::size_t points_received = 0;
+  std::map<std::string, std::size_t> points_dropped;
+
+  std::size_t droppedInAll() const {
+    std::size_t sum = 0;
+    for (const auto& [reason, count] : dropped) sum += count;
+    return sum;
+  }
+};
+
+}  // namespace revisit_slam

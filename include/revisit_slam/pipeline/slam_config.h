@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/input/scan_input_config.h"
+#include "revisit_slam/odometry/odometry_config.h"
+
+namespace revisit_slam {
+
+struct FramesConfig {
+  std::string odom = "odom";
+  std::string base = "base_link";
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("odom", odom, Choices{}, "", "frame in which the odometry moves, without jumps");
+    v("base", base, Choices{}, "", "frame whose pose is estimated; empty: the sensor's own");
+  }
+};
+
+/// Running beside a live sensor; nothing of this changes results unless scans are lost.
+struct LiveConfig {
+  int queue_size = 100;
+  double diagnostics_period = 1.0;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("queue_size", queue_size, Range{1, 10000}, "scans",
+      "scans that may wait; when more come the oldest is dropped and counted");
+    v("diagnostics_period", diagnostics_period, Range{0.1, 60.0}, "s", "between two diagnostics");
+  }
+};
+
+/// All parameters, nested as the modules are.
+struct SlamConfig {
+  FramesConfig frames;
+  ScanInputConfig input;
+  OdometryConfig odometry;
+  LiveConfig live;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v.group("frames", frames);
+    v.group("input", input);
+    v.group("odometry", odometry);
+    v.group("live", live);
+  }
+};
+
+}  // namespace revisit_slam
