@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/core/scan.h"
+
+namespace revisit_slam {
+
+/// Down-samples clouds to the first point of each voxel, in the order of the input. Keeps its table
+/// between calls, so that a call allocates nothing once the largest cloud has been seen.
+class VoxelFilter {
+ public:
+  /// `voxel_size` in metres. Coordinates up to 65,000 voxels from the origin are told apart.
+  void filter(const Points& input, double voxel_size, Points& output);
+
+ private:
+  void prepareTable(std::size_t points);
+  bool insert(std::uint64_t key);
+
+  /// Open addressing; an entry is a packed voxel and the call that wrote it, so that the entries of
+  /// earlier calls are empty places.
+  std::vector<std::uint64_t> table_;
+  std::uint64_t mask_ = 0;
+  std::uint64_t call_ = 0;
+};
+
+}  // namespace revisit_slam
