@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/core/scan.h"
+#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/odometry/odometry_config.h"
+
+namespace revisit_slam {
+
+/// The map point nearest to a query, and how far its rivals are.
+struct Neighbour {
+  Eigen::Vector3d point_odom;
+  float distance;        ///< m, from the query to the point
+  float rival_distance;  ///< m, lower bound of the distance from the query to any other point
+};
+
+/// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
+/// A point enters when its voxel has room and no point of that voxel is closer than
+/// voxel_size / sqrt(max_points_per_voxel). Points are kept relative to their voxel, so that float
+/// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
+/// calls alone.
+class LocalVoxelMap {
+ public:
+  explicit LocalVoxelMap(const LocalVoxelMapConfig& config);
+
+  bool empty() const { return block_of_.empty(); }
+  std::size_t voxels() const { return block_of_.size(); }
+  double voxelSize() const { return voxel_size_; }
+  Points points(const Pose& T_target_odom = {}) const;
+
+  void insert(const Points& points_base, const Pose& T_odom_base);
+
+  /// Drops every voxel whose centre is farther than `distance` from `centre_odom`.
+  void dropBeyond(const Eigen::Vector3d& centre_odom, double distance);
+
+  /// The nearest point within the 27 voxels around the query, if it is nearer than `max_distance`.
+  /// Exact; looks only into voxels that can hold a nearer point than the best so far.
+  bool nearest(const Eigen::Vector3d& query_odom, double max_distance, Neighbour& neighbour) const;
+
+ private:
+  using BlockIndex = std::uint32_t;
+
+  BlockIndex findOrCreateBlock(const Voxel& voxel);
+  void insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
+  const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
+  Eigen::Vector3d corner(BlockIndex block) const { return voxel_size_ * voxels_[block].cast<double>(); }
+
+  double voxel_size_;
+  std::size_t max_points_;
+  std::size_t capacity_;  // max_points_ rounded up for whole vector registers
+  float min_spacing_squared_;
+
+  tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
+  std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
+  std::vector<Voxel> voxels_;
+  std::vector<std::uint16_t> sizes_;  // 0: the block is free
+  std::vector<BlockIndex> free_blocks_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/geometry/se3.h"
+
+namespace revisit_slam {
+
+/// Motion at a constant body velocity: after t seconds the body has moved by Exp(t * velocity).
+class ConstantMotion {
+ public:
+  /// `velocity`: [m/s; rad/s] in the body frame.
+  explicit ConstantMotion(const Tangent& velocity = Tangent::Zero());
+
+  const Tangent& velocity() const { return velocity_; }
+  Pose after(double seconds) const { return exp(seconds * velocity_); }
+
+  /// Exp(seconds * velocity) * point, without building the transform: for one time per point.
+  Eigen::Vector3f carry(float seconds, const Eigen::Vector3f& point) const;
+
+ private:
+  Tangent velocity_;
+  float turn_rate_;  // rad/s
+  Eigen::Vector3f omega_;
+  Eigen::Vector3f v_, omega_v_, omega_omega_v_;
+};
+
+}  // namespace revisit_slam

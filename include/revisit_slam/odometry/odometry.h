@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <optional>
+
+#include "revisit_slam/core/registered_scan.h"
+#include "revisit_slam/core/stage_times.h"
+#include "revisit_slam/geometry/voxel_filter.h"
+#include "revisit_slam/odometry/adaptive_threshold.h"
+#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/preprocessing.h"
+#include "revisit_slam/odometry/registration.h"
+
+namespace revisit_slam {
+
+enum class OdometryOutcome {
+  registered,
+  duplicate_stamp,   ///< the stamp of the scan before
+  time_went_back,    ///< older than the scan before
+  no_point_in_range,
+};
+
+const char* toString(OdometryOutcome outcome);
+
+/// `scan` is set when the outcome is `registered`; otherwise the scan changed nothing.
+struct OdometryResult {
+  OdometryOutcome outcome = OdometryOutcome::registered;
+  std::optional<RegisteredScan> scan;
+  std::size_t too_near = 0, too_far = 0;  ///< points dropped by range
+  StageTimes times;
+};
+
+/// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): scan-to-map point-to-point
+/// ICP from a constant-velocity prediction. The odom frame is the base frame of the first scan.
+/// Not thread-safe; its own work runs on `threads` threads, with the same bits for any number.
+class Odometry {
+ public:
+  explicit Odometry(const OdometryConfig& config);
+
+  OdometryResult registerScan(const Scan& scan);
+
+  const LocalVoxelMap& map() const { return map_; }
+
+  /// Takes over what may change between two scans: ranges, deskewing, prediction time.
+  void reconfigure(const OdometryConfig& config);
+
+ private:
+  OdometryResult registerInArena(const Scan& scan);
+  double secondsSincePrevious(Stamp stamp) const;
+  void updateMotion(const Pose& T_odom_base, double seconds);
+
+  OdometryConfig config_;
+  tbb::task_arena arena_;
+  LocalVoxelMap map_;
+  Registration registration_;
+  AdaptiveThreshold threshold_;
+  VoxelFilter voxel_filter_;
+  Points map_points_base_;  // kept for its memory
+
+  std::uint32_t scans_ = 0;
+  Stamp previous_stamp_;
+  Pose T_odom_previous_;
+  ConstantMotion motion_;
+};
+
+}  // namespace revisit_slam

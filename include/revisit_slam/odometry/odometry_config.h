@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/parameters.h"
+
+namespace revisit_slam {
+
+/// The local map that scans are registered to.
+struct LocalVoxelMapConfig {
+  double voxel_size = 1.0;
+  int max_points_per_voxel = 20;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("voxel_size", voxel_size, Range{0.02, 20.0}, "m", "edge of a voxel; a hundredth of max_range");
+    v("max_points_per_voxel", max_points_per_voxel, Range{1, 100}, "", "points kept in a voxel");
+  }
+};
+
+struct RegistrationConfig {
+  int max_iterations = 500;
+  double convergence = 1e-4;
+  int min_correspondences = 10;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("max_iterations", max_iterations, Range{1, 10000}, "", "ICP iterations at most");
+    v("convergence", convergence, Range{1e-9, 1e-1}, "m, rad",
+      "ICP ends when its step [translation; rotation] is shorter");
+    v("min_correspondences", min_correspondences, Range{6, 100000}, "",
+      "with fewer matched points the pose is the prediction");
+  }
+};
+
+/// The tolerance of the registration follows the errors of the motion prediction (KISS-ICP
+/// Sec. III-D).
+struct AdaptiveThresholdConfig {
+  double initial = 2.0;
+  double min_motion = 0.1;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("initial", initial, Range{1e-3, 100.0}, "m", "sigma before any motion was seen");
+    v("min_motion", min_motion, Range{0.0, 10.0}, "m", "smaller prediction errors do not count");
+  }
+};
+
+/// Defaults: Vizzo et al., KISS-ICP, RA-L 2023, as its release 1.3.0 has them.
+struct OdometryConfig {
+  double max_range = 100.0;
+  double min_range = 0.5;
+  bool deskew = true;
+  double max_prediction_time = 1.0;
+  int threads = 2;
+  LocalVoxelMapConfig map;
+  RegistrationConfig registration;
+  AdaptiveThresholdConfig threshold;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("max_range", max_range, Range{1.0, 1000.0}, "m", "points farther from the sensor are dropped");
+    v("min_range", min_range, Range{0.0, 100.0}, "m", "points nearer to the sensor are dropped");
+    v("deskew", deskew, "undo the motion within a scan where its point times are known");
+    v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
+      "the motion is extrapolated over longer gaps only this far, and the tolerance starts anew");
+    v("threads", threads, Range{1, 64}, "", "threads of the odometry; results do not depend on it");
+    v.group("map", map);
+    v.group("registration", registration);
+    v.group("threshold", threshold);
+  }
+};
+
+}  // namespace revisit_slam

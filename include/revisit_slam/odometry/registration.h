@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/core/scan.h"
+#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/odometry/odometry_config.h"
+
+namespace revisit_slam {
+
+enum class RegistrationOutcome {
+  converged,
+  max_iterations,             ///< the pose is the last iterate
+  too_few_correspondences,    ///< the pose is the initial one
+  map_empty,                  ///< the first scan: the pose is the initial one
+};
+
+const char* toString(RegistrationOutcome outcome);
+
+struct RegistrationResult {
+  Pose T_odom_base;
+  RegistrationOutcome outcome = RegistrationOutcome::map_empty;
+  int iterations = 0;
+  std::size_t correspondences = 0;
+  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate
+};
+
+/// Point-to-point ICP of a scan to the local map: minimises the sum of
+/// w(r) |T_odom_base p_i - q_i|^2 (paper Eq. 1-2) over right perturbations T * Exp(d), with
+/// w(r) = (sigma / (sigma + r^2))^2 and correspondences nearer than 3 sigma (KISS-ICP Sec. III-C).
+class Registration {
+ public:
+  explicit Registration(const RegistrationConfig& config) : config_(config) {}
+
+  /// `sigma` in metres. Runs in the current TBB arena; the same bits for any number of threads.
+  RegistrationResult align(const Points& points_base, const LocalVoxelMap& map,
+                           const Pose& T_odom_initial, double sigma);
+
+ private:
+  /// The neighbour found for a point, and where the point was then: while the point has moved
+  /// less than its neighbour's rivals are farther, the neighbour is still the nearest.
+  struct Match {
+    Eigen::Vector3d searched_at;
+    Neighbour neighbour;
+    bool valid;
+  };
+
+  RegistrationConfig config_;
+  std::vector<Match> matches_;  // kept for its memory
+};
+
+}  // namespace revisit_slam

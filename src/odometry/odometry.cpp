@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/odometry/odometry.h"
+
+#include <algorithm>
+
+namespace revisit_slam {
+namespace {
+
+/// Down-sampling of the published system, in voxels of the map: fine for the map, coarse for ICP.
+constexpr double kMapPointSpacing = 0.5;
+constexpr double kSourcePointSpacing = 1.5;
+
+}  // namespace
+
+const char* toString(OdometryOutcome outcome) {
+  switch (outcome) {
+    case OdometryOutcome::registered: return "registered";
+    case OdometryOutcome::duplicate_stamp: return "duplicate stamp";
+    case OdometryOutcome::time_went_back: return "time went back";
+    case OdometryOutcome::no_point_in_range: return "no point in range";
+  }
+  return "unknown";
+}
+
+Odometry::Odometry(const OdometryConfig& config)
+    : config_(config),
+      arena_(config.threads),
+      map_(config.map),
+      registration_(config.registration),
+      threshold_(config.threshold, config.max_range) {}
+
+OdometryResult Odometry::registerScan(const Scan& scan) {
+  OdometryResult result;
+  arena_.execute([&] { result = registerInArena(scan); });
+  return result;
+}
+
+OdometryResult Odometry::registerInArena(const Scan& scan) {
+  OdometryResult result;
+  if (scans_ > 0 && scan.stamp <= previous_stamp_) {
+    result.outcome = scan.stamp == previous_stamp_ ? OdometryOutcome::duplicate_stamp
+                                                   : OdometryOutcome::time_went_back;
+    return result;
+  }
+  StageClock clock;
+  PreprocessedScan preprocessed = preprocess(scan, motion_, config_);
+  result.too_near = preprocessed.too_near;
+  result.too_far = preprocessed.too_far;
+  if (preprocessed.points_base.empty()) {
+    result.outcome = OdometryOutcome::no_point_in_range;
+    return result;
+  }
+  RegisteredScan& registered = result.scan.emplace();
+  registered.id = {scans_};
+  registered.stamp = scan.stamp;
+  registered.deskewed = preprocessed.deskewed;
+  registered.points_base = std::move(preprocessed.points_base);
+  clock.stage("preprocess");
+
+  const double voxel_size = config_.map.voxel_size;
+  voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_);
+  voxel_filter_.filter(map_points_base_, kSourcePointSpacing * voxel_size, registered.source_base);
+  clock.stage("downsample");
+
+  const double seconds = secondsSincePrevious(scan.stamp);
+  const bool long_gap = seconds > config_.max_prediction_time;
+  const Pose T_odom_predicted =
+      T_odom_previous_ * motion_.after(std::min(seconds, config_.max_prediction_time));
+  registered.sigma = long_gap ? std::max(config_.threshold.initial, threshold_.sigma())
+                              : threshold_.sigma();
+  registered.registration =
+      registration_.align(registered.source_base, map_, T_odom_predicted, registered.sigma);
+  registered.T_odom_base = registered.registration.T_odom_base;
+  clock.stage("register");
+
+  if (!long_gap) threshold_.update(T_odom_predicted.inverse() * registered.T_odom_base);
+  map_.insert(map_points_base_, registered.T_odom_base);
+  map_.dropBeyond(registered.T_odom_base.translation, config_.max_range);
+  updateMotion(registered.T_odom_base, seconds);
+  registered.velocity_base = motion_.velocity();
+  previous_stamp_ = scan.stamp;
+  ++scans_;
+  clock.stage("update_map");
+  result.times = clock.times();
+  return result;
+}
+
+double Odometry::secondsSincePrevious(Stamp stamp) const {
+  return scans_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
+}
+
+void Odometry::updateMotion(const Pose& T_odom_base, double seconds) {
+  if (seconds > 0.0) motion_ = ConstantMotion(log(T_odom_previous_.inverse() * T_odom_base) / seconds);
+  T_odom_previous_ = T_odom_base;
+}
+
+void Odometry::reconfigure(const OdometryConfig& config) {
+  config_.max_range = config.max_range;
+  config_.min_range = config.min_range;
+  config_.deskew = config.deskew;
+  config_.max_prediction_time = config.max_prediction_time;
+}
+
+}  // namespace revisit_slam
