@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/core/parameters.h"
+
+namespace revisit_slam {
+
+/// The values of a YAML file whose maps nest as the groups of parameters do.
+/// @throws ParameterError when the file cannot be read or is not made of maps and scalars.
+std::vector<NamedText> readParameterFile(const std::string& path);
+
+/// The values in force, nested as the groups are.
+nlohmann::json toJson(const std::vector<Parameter>& parameters);
+
+}  // namespace revisit_slam

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/core/registered_scan.h"
+#include "revisit_slam/core/scan_account.h"
+#include "revisit_slam/core/stage_times.h"
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+
+/// What run.json tells beside what the folder has seen itself.
+struct RunSummary {
+  std::vector<Parameter> parameters;
+  ScanAccount account;
+  std::string topic;
+  std::string tracked_frame;
+  std::string time_source;
+  double wall_seconds = 0.0;        ///< of the whole run, reading the bag included
+  double processing_cpu_seconds = 0.0;  ///< of the stages alone, all threads
+  int threads = 0;
+};
+
+/// The folder that a run leaves behind. Poses and times are on disk as soon as they are known.
+class RunFolder {
+ public:
+  /// Makes the folder with its parents. @throws std::runtime_error naming the path.
+  explicit RunFolder(const std::string& path);
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+  /// Appends to odometry.tum and scan_times.csv.
+  void add(const RegisteredScan& scan, const StageTimes& times);
+
+  /// Writes run.json, whole or not at all.
+  void finish(const RunSummary& summary) const;
+
+ private:
+  void writeTimes(const RegisteredScan& scan, const StageTimes& times);
+
+  std::string path_;
+  TumWriter odometry_;
+  std::ofstream scan_times_;
+  std::vector<std::string> stages_;  // in the order of the first scan
+  std::map<std::string, std::vector<double>> stage_ms_;
+  Eigen::Vector3d previous_position_ = Eigen::Vector3d::Zero();
+  double path_length_ = 0.0;
+};
+
+}  // namespace revisit_slam

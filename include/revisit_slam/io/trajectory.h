@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fstream>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/core/stamp.h"
+
+namespace revisit_slam {
+
+/// A pose and the instant at which it is valid.
+struct StampedPose {
+  Stamp stamp;
+  Pose T_world_base;
+};
+
+using Trajectory = std::vector<StampedPose>;
+
+/// One TUM line: stamp in seconds with all nine decimals, tx ty tz qx qy qz qw.
+void writeTumLine(std::ostream& out, const StampedPose& pose);
+
+/// @throws std::runtime_error naming the file, and the line where one cannot be read.
+Trajectory readTum(const std::string& path);
+
+/// Rows 1-3 of the 4x4 matrix, one pose a line. @throws std::runtime_error naming the file.
+void writeKitti(const std::string& path, const Trajectory& trajectory);
+
+/// Appends poses to a TUM file as they come; each line is handed to the system at once, so that a
+/// crash of the program loses none.
+class TumWriter {
+ public:
+  /// @throws std::runtime_error naming the file.
+  explicit TumWriter(const std::string& path);
+  void write(const StampedPose& pose);
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/core/scan.h"
+#include "revisit_slam/geometry/voxel.h"
+
+namespace revisit_slam {
+
+/// A cloud of a whole drive: the first point seen in each voxel.
+class PointMap {
+ public:
+  /// `voxel_size` in metres.
+  explicit PointMap(double voxel_size) : voxel_size_(voxel_size) {}
+
+  void insert(const Points& points_base, const Pose& T_world_base);
+  const Points& points() const { return points_; }
+
+ private:
+  double voxel_size_;
+  Points points_;
+  tsl::robin_map<std::uint64_t, char, VoxelKeyHash> seen_;
+};
+
+}  // namespace revisit_slam

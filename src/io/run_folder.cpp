@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/run_folder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "revisit_slam/io/parameter_file.h"
+#include "revisit_slam/io/process_usage.h"
+#include "revisit_slam/io/whole_file.h"
+
+namespace revisit_slam {
+namespace {
+
+using nlohmann::json;
+
+/// Makes the folder before the files in it are opened.
+std::string made(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
+  return path;
+}
+
+/// The smallest value that at least this share of the values does not exceed.
+double quantile(std::vector<double> values, double share) {
+  const double rank = std::ceil(share * static_cast<double>(values.size())) - 1.0;
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max(0.0, rank));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+json statistics(const std::map<std::string, std::vector<double>>& stage_ms) {
+  json all = json::object();
+  for (const auto& [stage, ms] : stage_ms)
+    all[stage] = {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1.0)}};
+  return all;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::string& path)
+    : path_(made(path)), odometry_(file("odometry.tum")), scan_times_(file("scan_times.csv")) {
+  if (!scan_times_) throw std::runtime_error("cannot write '" + file("scan_times.csv") + "'");
+}
+
+void RunFolder::add(const RegisteredScan& scan, const StageTimes& times) {
+  odometry_.write({scan.stamp, scan.T_odom_base});
+  if (scan.id.value > 0) path_length_ += (scan.T_odom_base.translation - previous_position_).norm();
+  previous_position_ = scan.T_odom_base.translation;
+  writeTimes(scan, times);
+}
+
+void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) {
+  if (stages_.empty()) {
+    scan_times_ << "scan,stamp";
+    for (const auto& [stage, ms] : times) {
+      stages_.emplace_back(stage);
+      scan_times_ << "," << stage << "_ms";
+    }
+    scan_times_ << ",total_ms\n";
+  }
+  double total = 0.0;
+  scan_times_ << scan.id.value << "," << std::fixed << scan.stamp.toSeconds();
+  for (const auto& [stage, ms] : times) {
+    scan_times_ << "," << ms;
+    stage_ms_[stage].push_back(ms);
+    total += ms;
+  }
+  stage_ms_["total"].push_back(total);
+  scan_times_ << "," << total << "\n";
+}
+
+void RunFolder::finish(const RunSummary& summary) const {
+  const ScanAccount& account = summary.account;
+  const double scans = std::max<double>(1.0, static_cast<double>(account.processed));
+  const json run = {
+      {"version", REVISIT_SLAM_VERSION},
+      {"topic", summary.topic},
+      {"tracked_frame", summary.tracked_frame},
+      {"parameters", toJson(summary.parameters)},
+      {"scans",
+       {{"received", account.received},
+        {"processed", account.processed},
+        {"dropped", account.dropped}}},
+      {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
+      {"time_source", summary.time_source},
+      {"path_length_m", path_length_},
+      {"wall_seconds", summary.wall_seconds},
+      {"cpu_seconds", processCpuSeconds()},
+      {"cpu_seconds_per_scan", summary.processing_cpu_seconds / scans},
+      {"stages_ms", statistics(stage_ms_)},
+      {"peak_memory_mb", peakMemoryMegabytes()},
+      {"threads", summary.threads},
+  };
+  writeWholeText(file("run.json"), run.dump(2) + "\n");
+}
+
+}  // namespace revisit_slam
