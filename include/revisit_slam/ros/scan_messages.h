@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <string>
+
+#include "revisit_slam/core/registered_scan.h"
+#include "revisit_slam/core/scan_account.h"
+
+namespace revisit_slam {
+
+geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan, const std::string& odom_frame,
+                                            const std::string& base_frame);
+
+/// Pose in the odom frame, twist in the base frame; the covariances are not filled in.
+nav_msgs::Odometry toOdometry(const RegisteredScan& scan, const std::string& odom_frame,
+                              const std::string& base_frame);
+
+/// Fields x, y, z.
+sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const std::string& frame);
+
+/// received, processed and every reason of dropping as key and value.
+void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status);
+void addValue(const std::string& key, const std::string& value,
+              diagnostic_msgs::DiagnosticStatus& status);
+
+}  // namespace revisit_slam

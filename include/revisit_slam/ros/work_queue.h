@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace revisit_slam {
+
+/// Work items handled in order by a thread of their own. Bounded: when full, the oldest item makes
+/// room and `on_drop` hears of it, so that nothing is lost silently.
+template <typename Item>
+class WorkQueue {
+ public:
+  WorkQueue(std::size_t capacity, std::function<void(Item)> work, std::function<void()> on_drop)
+      : capacity_(capacity),
+        work_(std::move(work)),
+        on_drop_(std::move(on_drop)),
+        thread_([this] { run(); }) {}
+
+  ~WorkQueue() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      stopping_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+  WorkQueue(const WorkQueue&) = delete;
+  WorkQueue& operator=(const WorkQueue&) = delete;
+
+  void push(Item item) {
+    bool dropped = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (items_.size() == capacity_) {
+        items_.pop_front();
+        dropped = true;
+      }
+      items_.push_back(std::move(item));
+    }
+    changed_.notify_one();
+    if (dropped) on_drop_();
+  }
+
+  std::size_t waiting() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return items_.size();
+  }
+
+  /// For work that waits for something: true as soon as the queue is being destroyed.
+  bool stopping() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return stopping_;
+  }
+
+ private:
+  void run() {
+    for (std::unique_lock<std::mutex> lock(mutex_);;) {
+      changed_.wait(lock, [this] { return stopping_ || !items_.empty(); });
+      if (stopping_) return;
+      Item item = std::move(items_.front());
+      items_.pop_front();
+      lock.unlock();
+      work_(std::move(item));
+      lock.lock();
+    }
+  }
+
+  const std::size_t capacity_;
+  const std::function<void(Item)> work_;
+  const std::function<void()> on_drop_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Item> items_;  // guarded by mutex_
+  bool stopping_ = false;   // guarded by mutex_
+
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Maps a recorded drive without a ROS master, as fast as the machine allows.
+#include <sensor_msgs/PointCloud2.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "revisit_slam/io/parameter_file.h"
+#include "revisit_slam/io/pcd.h"
+#include "revisit_slam/io/process_usage.h"
+#include "revisit_slam/io/progress.h"
+#include "revisit_slam/io/run_folder.h"
+#include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/ros/bag_scans.h"
+#include "revisit_slam/ros/front_end.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kMapVoxelSize = 0.25;  // m, of map.pcd
+
+struct Options {
+  std::vector<std::string> bags;
+  std::string topic, out, parameter_file;
+  std::vector<std::string> settings;
+  std::size_t max_scans = 0;
+  int threads = 0;
+  bool quiet = false;
+};
+
+SlamConfig readConfig(const Options& options) {
+  SlamConfig config;
+  const std::vector<Parameter> parameters = parametersOf(config);
+  if (!options.parameter_file.empty())
+    assign(parameters, readParameterFile(options.parameter_file));
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw ParameterError("--set " + setting + " is not of the form key=value");
+    assign(parameters, {{setting.substr(0, equals), setting.substr(equals + 1)}});
+  }
+  if (options.threads > 0)
+    assign(parameters, {{"odometry/threads", std::to_string(options.threads)}});
+  return config;
+}
+
+/// The frame of the topic's first message that has one.
+std::string sensorFrame(BagScans& bag) {
+  for (const rosbag::MessageInstance& instance : bag.messages()) {
+    if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
+      return cloud->header.frame_id;
+    // Every message with scans starts with a header; std_msgs/Header reads just that.
+    topic_tools::ShapeShifter message;
+    std_msgs::Header header;
+    std::vector<std::uint8_t> bytes(instance.size());
+    ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    instance.write(out);
+    ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    ros::serialization::deserialize(in, header);
+    return header.frame_id;
+  }
+  return "";
+}
+
+/// A run over the scans of a bag.
+class OfflineRun {
+ public:
+  OfflineRun(const Options& options, const SlamConfig& config)
+      : config_(config),
+        bag_(options.bags, options.topic),
+        folder_(options.out),
+        front_end_(config),
+        map_(kMapVoxelSize),
+        total_(options.max_scans > 0 ? std::min(options.max_scans, bag_.size()) : bag_.size()),
+        progress_("mapping", "scans", total_, options.quiet) {}
+
+  /// Returns whether everything was read and every file is whole.
+  bool run() {
+    progress_.say("topic " + bag_.topic() + ", " + std::to_string(total_) + " scans");
+    placeSensor();
+    const bool all_read = processAll();
+    progress_.finish();
+    writeResults();
+    return all_read;
+  }
+
+ private:
+  void placeSensor() {
+    const std::string sensor_frame = sensorFrame(bag_), base_frame = config_.frames.base;
+    tracked_frame_ = base_frame;
+    if (base_frame.empty() || !bag_.hasTransforms()) {
+      tracked_frame_ = sensor_frame;
+      progress_.say("poses are those of the sensor, frame '" + sensor_frame + "'" +
+                    (base_frame.empty() ? "" : ": the bag has no transforms"));
+      return;
+    }
+    const std::optional<Pose> T_base_sensor = bag_.findExtrinsics(base_frame, sensor_frame);
+    if (!T_base_sensor)
+      throw BagError("the bag has no transform from '" + sensor_frame + "' to '" + base_frame +
+                     "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
+    front_end_.setExtrinsics(*T_base_sensor);
+  }
+
+  bool processAll() {
+    std::size_t done = 0;
+    try {
+      for (const rosbag::MessageInstance& instance : bag_.messages()) {
+        if (done == total_) break;
+        process(instance);
+        progress_.update(++done);
+      }
+    } catch (const rosbag::BagException& error) {
+      progress_.say("the bag is damaged after scan " + std::to_string(done) + ": " + error.what());
+      return false;
+    }
+    return true;
+  }
+
+  void process(const rosbag::MessageInstance& instance) {
+    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
+    const auto other = cloud ? nullptr : instance.instantiate<topic_tools::ShapeShifter>();
+    const double cpu_before = processCpuSeconds();
+    FrontEnd::Result result = cloud ? front_end_.process(*cloud) : front_end_.process(*other);
+    processing_cpu_seconds_ += processCpuSeconds() - cpu_before;
+
+    if (front_end_.timeSource() != said_time_source_) {
+      said_time_source_ = front_end_.timeSource();
+      progress_.say(said_time_source_);
+    }
+    if (!result.scan) {
+      progress_.say("scan at " + std::to_string(instance.getTime().toSec()) + " s dropped: " +
+                    result.rejection);
+      return;
+    }
+    folder_.add(*result.scan, result.times);
+    map_.insert(result.scan->points_base, result.scan->T_odom_base);
+  }
+
+  void writeResults() {
+    RunSummary summary;
+    summary.parameters = parametersOf(config_);
+    summary.account = front_end_.account();
+    summary.topic = bag_.topic();
+    summary.tracked_frame = tracked_frame_;
+    summary.time_source = front_end_.timeSource();
+    summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    summary.processing_cpu_seconds = processing_cpu_seconds_;
+    summary.threads = config_.odometry.threads;
+    folder_.finish(summary);
+    if (summary.account.processed == 0)
+      throw BagError("not one of " + std::to_string(summary.account.received) +
+                     " scans could be processed");
+    writePcd(folder_.file("map.pcd"), map_.points());
+  }
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  SlamConfig config_;
+  BagScans bag_;
+  RunFolder folder_;
+  FrontEnd front_end_;
+  PointMap map_;
+  std::size_t total_;
+  Progress progress_;
+  std::string tracked_frame_, said_time_source_;
+  double processing_cpu_seconds_ = 0.0;
+};
+
+Options parseOptions(CLI::App& app, int argc, char** argv) {
+  Options options;
+  app.add_option("--bag", options.bags, "bag file; several are read in the order of time")->required();
+  app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--out", options.out, "folder for the results; made if missing")->required();
+  app.add_option("--params", options.parameter_file, "YAML file of parameters");
+  app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();
+  app.add_option("--threads", options.threads, "threads; results do not depend on it")
+      ->check(CLI::Range(1, 64));
+  app.add_option("--max-scans", options.max_scans, "stop after so many scans");
+  app.add_flag("--quiet", options.quiet, "no progress, only errors");
+  app.parse(argc, argv);
+  return options;
+}
+
+}  // namespace
+}  // namespace revisit_slam
+
+int main(int argc, char** argv) {
+  CLI::App app{"Maps a recorded drive; the results are files in a folder"};
+  try {
+    const revisit_slam::Options options = revisit_slam::parseOptions(app, argc, argv);
+    return revisit_slam::OfflineRun(options, revisit_slam::readConfig(options)).run() ? 0 : 1;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "offline: " << error.what() << "\n";
+    return 1;
+  }
+}

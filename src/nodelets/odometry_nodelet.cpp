@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/server.h>
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+#include <revisit_slam/LiveOdometryConfig.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <boost/make_shared.hpp>
+#include <variant>
+
+#include "revisit_slam/ros/front_end.h"
+#include "revisit_slam/ros/in_process_topic.h"
+#include "revisit_slam/ros/parameter_server.h"
+#include "revisit_slam/ros/pose_conversions.h"
+#include "revisit_slam/ros/scan_messages.h"
+#include "revisit_slam/ros/work_queue.h"
+
+namespace revisit_slam {
+
+/// Convert, register, broadcast. Scans wait in a queue of their own, so that the number that the
+/// odometry could not take is known.
+class OdometryNodelet : public nodelet::Nodelet {
+ public:
+  ~OdometryNodelet() override {
+    // Nothing may call into this object while its parts go.
+    points_subscriber_.shutdown();
+    livox_subscriber_.shutdown();
+    diagnostics_timer_.stop();
+    reset_service_.shutdown();
+    reconfigure_server_.reset();
+    queue_.reset();
+  }
+
+ private:
+  using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
+  using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
+  using Message = std::variant<CloudPtr, LivoxPtr>;
+
+  void onInit() override {
+    ros::NodeHandle& node = getNodeHandle();
+    ros::NodeHandle& private_node = getPrivateNodeHandle();
+    config_ = loadConfig<SlamConfig>(private_node);
+    front_end_ = std::make_unique<FrontEnd>(config_);
+
+    registered_publisher_ = node.advertise<RegisteredScan>("registered_scan", 100);
+    odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry_raw", 100);
+    cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("deskewed_points", 2);
+    diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+    reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
+    reconfigure_server_ = std::make_unique<ReconfigureServer>(ros::NodeHandle(private_node, "odometry"));
+    reconfigure_server_->setCallback([this](auto& values, uint32_t) { reconfigure(values); });
+    diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
+                                              [this](const auto&) { publishDiagnostics(); });
+
+    queue_ = std::make_unique<WorkQueue<Message>>(
+        config_.live.queue_size, [this](const Message& message) { handle(message); },
+        [this] { onQueueFull(); });
+    const uint32_t depth = config_.live.queue_size;
+    points_subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(
+        "points", depth, [this](const CloudPtr& cloud) { queue_->push(cloud); });
+    livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
+        "livox_points", depth, [this](const LivoxPtr& message) { queue_->push(message); });
+  }
+
+  // In the thread of the queue.
+
+  void handle(const Message& message) {
+    std::visit([this](const auto& pointer) { registerMessage(*pointer); }, message);
+  }
+
+  template <typename T>
+  void registerMessage(const T& message) {
+    if (!extrinsics_known_ && !waitForExtrinsics(frameOf(message))) return;
+    FrontEnd::Result result;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      result = front_end_->process(message);
+    }
+    sayTimeSource();
+    if (result.scan) {
+      publish(std::move(*result.scan));
+    } else {
+      NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
+    }
+  }
+
+  static std::string frameOf(const sensor_msgs::PointCloud2& cloud) { return cloud.header.frame_id; }
+
+  static std::string frameOf(const topic_tools::ShapeShifter& message) {
+    std::vector<uint8_t> bytes(message.size());
+    ros::serialization::OStream out(bytes.data(), message.size());
+    message.write(out);
+    ros::serialization::IStream in(bytes.data(), message.size());
+    std_msgs::Header header;
+    ros::serialization::deserialize(in, header);
+    return header.frame_id;
+  }
+
+  /// Later scans wait in the queue meanwhile. Polls by wall clock: simulated time may not run.
+  bool waitForExtrinsics(const std::string& sensor_frame) {
+    if (config_.frames.base.empty()) config_.frames.base = sensor_frame;
+    while (!queue_->stopping()) {
+      try {
+        const auto transform =
+            tf_buffer_.lookupTransform(config_.frames.base, sensor_frame, ros::Time(0));
+        const std::lock_guard<std::mutex> lock(mutex_);
+        front_end_->setExtrinsics(toPose(transform.transform));
+        return extrinsics_known_ = true;
+      } catch (const tf2::TransformException&) {
+        NODELET_WARN_THROTTLE(5.0, "waiting for the transform from '%s' to '%s'; scans wait too",
+                              sensor_frame.c_str(), config_.frames.base.c_str());
+        ros::WallDuration(0.05).sleep();
+      }
+    }
+    return false;
+  }
+
+  void publish(RegisteredScan&& registered) {
+    const auto scan = boost::make_shared<const RegisteredScan>(std::move(registered));
+    const FramesConfig& frames = config_.frames;
+    tf_broadcaster_.sendTransform(toTransform(*scan, frames.odom, frames.base));
+    odometry_publisher_.publish(toOdometry(*scan, frames.odom, frames.base));
+    registered_publisher_.publish(scan);
+    if (cloud_publisher_.getNumSubscribers() > 0)
+      cloud_publisher_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
+          toPointCloud(scan->points_base, scan->stamp, frames.base)));
+    const RegistrationResult& registration = scan->registration;
+    if (registration.outcome == RegistrationOutcome::too_few_correspondences)
+      NODELET_WARN_THROTTLE(5.0, "registration failed: %s (%zu)", toString(registration.outcome),
+                            registration.correspondences);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_registration_ = registration;
+    last_delay_ = ros::Time::now() - toRosTime(scan->stamp);
+  }
+
+  void sayTimeSource() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (front_end_->timeSource() == said_time_source_) return;
+    said_time_source_ = front_end_->timeSource();
+    NODELET_INFO("%s", said_time_source_.c_str());
+  }
+
+  // In the threads of the node.
+
+  void onQueueFull() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    front_end_->countDropped("queue full");
+    NODELET_WARN_THROTTLE(5.0, "the odometry does not keep up: the oldest waiting scan was dropped");
+  }
+
+  bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    front_end_ = std::make_unique<FrontEnd>(config_);
+    extrinsics_known_ = false;
+    response.success = true;
+    response.message = "the odometry starts anew at the next scan";
+    return true;
+  }
+
+  void reconfigure(const LiveOdometryConfig& values) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    config_.odometry.max_range = values.max_range;
+    config_.odometry.min_range = values.min_range;
+    config_.odometry.deskew = values.deskew;
+    config_.odometry.max_prediction_time = values.max_prediction_time;
+    front_end_->reconfigure(config_.odometry);
+  }
+
+  void publishDiagnostics() {
+    diagnostic_msgs::DiagnosticStatus status;
+    status.name = getName() + ": odometry";
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const ScanAccount& account = front_end_->account();
+      const std::size_t dropped = account.droppedInAll();
+      const bool newly_dropped = dropped > reported_drops_;
+      reported_drops_ = dropped;
+      status.level = newly_dropped ? status.WARN : status.OK;
+      status.message = account.received == 0 ? "no scan yet"
+                       : newly_dropped       ? "scans were dropped"
+                                             : "running";
+      addValue("point times", front_end_->timeSource(), status);
+      addValue("registration", toString(last_registration_.outcome), status);
+      addValue("iterations", std::to_string(last_registration_.iterations), status);
+      addValue("delay (s)", std::to_string(last_delay_.toSec()), status);
+      addAccount(account, status);
+    }
+    addValue("scans waiting", std::to_string(queue_->waiting()), status);
+    diagnostic_msgs::DiagnosticArray array;
+    array.header.stamp = ros::Time::now();
+    array.status.push_back(status);
+    diagnostics_publisher_.publish(array);
+  }
+
+  using ReconfigureServer = dynamic_reconfigure::Server<LiveOdometryConfig>;
+
+  SlamConfig config_;
+  tf2_ros::Buffer tf_buffer_;
+  tf2_ros::TransformListener tf_listener_{tf_buffer_};
+  tf2_ros::TransformBroadcaster tf_broadcaster_;
+  ros::Publisher registered_publisher_, odometry_publisher_, cloud_publisher_, diagnostics_publisher_;
+  ros::ServiceServer reset_service_;
+  ros::WallTimer diagnostics_timer_;
+
+  std::mutex mutex_;  // guards the next five
+  std::unique_ptr<FrontEnd> front_end_;
+  std::string said_time_source_;
+  RegistrationResult last_registration_;
+  ros::Duration last_delay_;
+  std::size_t reported_drops_ = 0;
+
+  std::atomic<bool> extrinsics_known_{false};
+  std::unique_ptr<WorkQueue<Message>> queue_;
+  ros::Subscriber points_subscriber_, livox_subscriber_;
+  std::unique_ptr<ReconfigureServer> reconfigure_server_;
+};
+
+}  // namespace revisit_slam
+
+PLUGINLIB_EXPORT_CLASS(revisit_slam::OdometryNodelet, nodelet::Nodelet)
