@@ -1,0 +1,27 @@
+# shellcheck shell=bash disable=SC2034
+# SPDX-License-Identifier: MIT
+# Debian packages that revisit_slam needs, without recommendations. Sourced by scripts/setup.
+
+BUILD_PACKAGES=(
+  g++ make cmake catkin
+  ros-message-generation ros-std-msgs ros-geometry-msgs
+  libsensor-msgs-dev libnav-msgs-dev libvisualization-msgs-dev libdiagnostic-msgs-dev libstd-srvs-dev
+  libroscpp-dev libnodeletlib-dev pluginlib-dev libtf2-ros-dev libtf2-msgs-dev librosbag-dev
+  libtopic-tools-dev
+  libpcl-dev libpcl-conversions-dev libpcl-ros-dev
+  libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
+  libceres-dev libsuitesparse-dev liboctomap-dev libopencv-dev
+  libtbb-dev robin-map-dev libembree-dev libcli11-dev libyaml-cpp-dev
+  nlohmann-json3-dev
+)
+
+RUN_PACKAGES=(
+  libnodeletlib-tools python3-roslaunch rosbash
+  python3-rosbag python3-rostopic python3-rosnode python3-rosservice python3-rosmsg python3-tf2-ros
+  python3-sensor-msgs python3-nav-msgs python3-visualization-msgs python3-diagnostic-msgs
+  python3-matplotlib python3-numpy python3-yaml python3-venv
+)
+
+TEST_PACKAGES=(
+  python3-rostest librostest-dev libgtest-dev python3-geometry-msgs python3-std-msgs
+)
