@@ -5,8 +5,23 @@
 #include <topic_tools/shape_shifter.h>
 
 namespace revisit_slam {
+namespace {
 
-FrontEnd::FrontEnd(const SlamConfig& config) : reader_(config.input), odometry_(config.odometry) {}
+Odometry::BeforeInsertion gatherWith(const InformationConfig& config,
+                                     const InformationEstimator& estimator) {
+  if (!config.enabled) return {};
+  return [&estimator](RegisteredScan& scan, const LocalVoxelMap& map) {
+    scan.problem = estimator.gather(scan.source_base, map, scan.T_odom_base,
+                                    Registration::maxCorrespondenceDistance(scan.sigma));
+  };
+}
+
+}  // namespace
+
+FrontEnd::FrontEnd(const SlamConfig& config)
+    : reader_(config.input),
+      information_(config.information),
+      odometry_(config.odometry, gatherWith(config.information, information_)) {}
 
 template <typename Message>
 FrontEnd::Result FrontEnd::process(const Message& message) {

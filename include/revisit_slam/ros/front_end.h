@@ -4,17 +4,21 @@
 #include <string>
 
 #include "revisit_slam/core/scan_account.h"
+#include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/pipeline/slam_config.h"
 #include "revisit_slam/ros/scan_reader.h"
 
 namespace revisit_slam {
 
-/// From a message to a registered scan, with an account of everything that was dropped. The offline
+/// From a message to a registered scan that carries its registration problem, with an account of
+/// everything that was dropped. The offline
 /// runner and the odometry nodelet both consist of it, which is why they give the same poses.
 class FrontEnd {
  public:
   explicit FrontEnd(const SlamConfig& config);
+  FrontEnd(const FrontEnd&) = delete;
+  FrontEnd& operator=(const FrontEnd&) = delete;
 
   struct Result {
     std::optional<RegisteredScan> scan;
@@ -42,6 +46,7 @@ class FrontEnd {
   Result reject(const char* reason, const std::string& detail);
 
   ScanReader reader_;
+  InformationEstimator information_;
   Odometry odometry_;
   ScanAccount account_;
 };

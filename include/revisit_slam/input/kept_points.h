@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/core/scan.h"
+#include "revisit_slam/input/point_view.h"
+#include "revisit_slam/input/scan_reading.h"
+
+namespace revisit_slam {
+
+/// The points of a message that are measurements: finite and not the origin.
+struct KeptPoints {
+  Points points;
+  /// Where each of them begins in the bytes of the message.
+  std::vector<std::uint32_t> byte_offsets;
+  PointCounts counts;
+};
+
+/// The view has passed layoutFault() and has x, y and z of known type.
+KeptPoints readPoints(const PointView& view);
+
+/// The value of one field for each of these points.
+std::vector<double> readField(const PointView& view, const PointField& field,
+                              const std::vector<std::uint32_t>& byte_offsets);
+
+}  // namespace revisit_slam

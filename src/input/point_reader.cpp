@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/input/point_reader.h"
+
+#include <utility>
+
+namespace revisit_slam {
+namespace {
+
+/// The rejection and its detail, or none.
+ScanReading check(const PointView& view) {
+  ScanReading reading;
+  const auto reject = [&reading](ScanRejection rejection, const std::string& detail) {
+    reading.rejection = rejection;
+    reading.detail = detail;
+    return reading;
+  };
+  if (view.width == 0 || view.height == 0) {
+    return reject(ScanRejection::empty,
+                  std::to_string(view.width) + " x " + std::to_string(view.height) + " points");
+  }
+  for (const char* name : {"x", "y", "z"}) {
+    const PointField* field = view.find(name);
+    if (!field) return reject(ScanRejection::missing_xyz, "fields: " + view.fieldNames());
+    if (field->type == NumberType::unknown) {
+      return reject(ScanRejection::missing_xyz, std::string("unknown datatype of field ") + name);
+    }
+  }
+  if (const std::string fault = layoutFault(view); !fault.empty()) {
+    return reject(ScanRejection::bad_layout, fault);
+  }
+  return reading;
+}
+
+}  // namespace
+
+ScanReading PointReader::read(const PointView& view, const ReferenceStamp& reference) {
+  ScanReading reading = check(view);
+  if (reading.rejection != ScanRejection::none) return reading;
+  KeptPoints kept = readPoints(view);
+  reading.counts = kept.counts;
+  if (kept.points.empty()) {
+    reading.rejection = ScanRejection::no_finite_points;
+    reading.detail = std::to_string(kept.counts.not_finite) + " not finite, " +
+                     std::to_string(kept.counts.at_origin) + " at the origin";
+    return reading;
+  }
+  SweepTimes sweep = timer_.time(view, reference, kept);
+  reading.counts = kept.counts;
+  reading.scan.emplace();
+  reading.scan->stamp = sweep.stamp;
+  reading.scan->points = std::move(kept.points);
+  reading.scan->times = std::move(sweep.times);
+  return reading;
+}
+
+}  // namespace revisit_slam

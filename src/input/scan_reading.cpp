@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/input/scan_reading.h"
+
+namespace revisit_slam {
+
+const char* describe(ScanRejection rejection) {
+  switch (rejection) {
+    case ScanRejection::none:
+      return "none";
+    case ScanRejection::empty:
+      return "no points";
+    case ScanRejection::no_finite_points:
+      return "no finite points";
+    case ScanRejection::missing_xyz:
+      return "no x, y, z";
+    case ScanRejection::bad_layout:
+      return "bad layout";
+    case ScanRejection::unsupported_type:
+      return "unsupported message type";
+    case ScanRejection::internal_error:
+      return "internal error";
+  }
+  return "";
+}
+
+}  // namespace revisit_slam
