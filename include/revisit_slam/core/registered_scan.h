@@ -5,6 +5,7 @@
 #include "revisit_slam/core/pose.h"
 #include "revisit_slam/core/scan.h"
 #include "revisit_slam/core/stamp.h"
+#include "revisit_slam/information/registration_problem.h"
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/registration.h"
 
@@ -21,6 +22,9 @@ struct RegisteredScan {
   RegistrationResult registration;
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   bool deskewed = false;
+  /// The registration, taken out of the map: what the information is estimated from. Without points
+  /// where information is switched off, and at the first scan.
+  RegistrationProblem problem;
 };
 
 }  // namespace revisit_slam

@@ -43,6 +43,11 @@ class LocalVoxelMap {
   /// Exact; looks only into voxels that can hold a nearer point than the best so far.
   bool nearest(const Eigen::Vector3d& query_odom, double max_distance, Neighbour& neighbour) const;
 
+  /// Calls see(point_odom - query_odom) for every point of every voxel that reaches into the ball
+  /// around the query, in an order that depends on the voxels alone.
+  template <typename See>
+  void forEachAround(const Eigen::Vector3d& query_odom, double radius, const See& see) const;
+
  private:
   using BlockIndex = std::uint32_t;
 
@@ -62,5 +67,31 @@ class LocalVoxelMap {
   std::vector<std::uint16_t> sizes_;  // 0: the block is free
   std::vector<BlockIndex> free_blocks_;
 };
+
+template <typename See>
+void LocalVoxelMap::forEachAround(const Eigen::Vector3d& query_odom, double radius,
+                                  const See& see) const {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius);
+  const Voxel home = voxelOf<double>(query_odom / voxel_size_);
+  const Voxel first = voxelOf<double>((query_odom - reach) / voxel_size_) - home;
+  const Voxel last = voxelOf<double>((query_odom + reach) / voxel_size_) - home;
+  const Eigen::Vector3f query = (query_odom - voxel_size_ * home.cast<double>()).cast<float>();
+  const float edge = static_cast<float>(voxel_size_);
+  const float limit = static_cast<float>(radius * radius * (1.0 + 1e-5));
+  for (int x = first.x(); x <= last.x(); ++x)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int z = first.z(); z <= last.z(); ++z) {
+        const Voxel offset(x, y, z);
+        const Eigen::Vector3f corner = edge * offset.cast<float>() - query;
+        const Eigen::Vector3f outside =
+            corner.cwiseMax(-corner - Eigen::Vector3f::Constant(edge)).cwiseMax(0.0f);
+        if (outside.squaredNorm() > limit) continue;
+        const auto entry = block_of_.find(packVoxel(Voxel(home + offset)));
+        if (entry == block_of_.end()) continue;
+        const float* p = coordinates(entry->second);
+        for (std::size_t i = 0; i < sizes_[entry->second]; ++i, ++p)
+          see(Eigen::Vector3f(p[0], p[capacity_], p[2 * capacity_]) + corner);
+      }
+}
 
 }  // namespace revisit_slam

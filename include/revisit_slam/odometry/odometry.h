@@ -3,6 +3,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <functional>
 #include <optional>
 
 #include "revisit_slam/core/registered_scan.h"
@@ -38,7 +39,11 @@ struct OdometryResult {
 /// Not thread-safe; its own work runs on `threads` threads, with the same bits for any number.
 class Odometry {
  public:
-  explicit Odometry(const OdometryConfig& config);
+  /// Sees each registered scan with the map that it was registered to, before the scan enters it,
+  /// and may add to the scan. Not called for the first scan, which is registered to nothing.
+  using BeforeInsertion = std::function<void(RegisteredScan&, const LocalVoxelMap&)>;
+
+  explicit Odometry(const OdometryConfig& config, BeforeInsertion before_insertion = {});
 
   OdometryResult registerScan(const Scan& scan);
 
@@ -53,6 +58,7 @@ class Odometry {
   void updateMotion(const Pose& T_odom_base, double seconds);
 
   OdometryConfig config_;
+  BeforeInsertion before_insertion_;
   tbb::task_arena arena_;
   LocalVoxelMap map_;
   Registration registration_;

@@ -34,6 +34,9 @@ class Registration {
  public:
   explicit Registration(const RegistrationConfig& config) : config_(config) {}
 
+  /// Points with no map point nearer than this are left out, m.
+  static double maxCorrespondenceDistance(double sigma) { return 3.0 * sigma; }
+
   /// `sigma` in metres. Runs in the current TBB arena; the same bits for any number of threads.
   RegistrationResult align(const Points& points_base, const LocalVoxelMap& map,
                            const Pose& T_odom_initial, double sigma);

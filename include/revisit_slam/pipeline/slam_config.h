@@ -2,6 +2,7 @@
 #pragma once
 
 #include "revisit_slam/core/parameters.h"
+#include "revisit_slam/information/information_config.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
@@ -36,6 +37,7 @@ struct SlamConfig {
   FramesConfig frames;
   ScanInputConfig input;
   OdometryConfig odometry;
+  InformationConfig information;
   LiveConfig live;
 
   template <typename Visitor>
@@ -43,6 +45,7 @@ struct SlamConfig {
     v.group("frames", frames);
     v.group("input", input);
     v.group("odometry", odometry);
+    v.group("information", information);
     v.group("live", live);
   }
 };

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "revisit_slam/simulation/mesh.h"
+#include "revisit_slam/simulation/moving_car.h"
+#include "revisit_slam/simulation/route.h"
+
+namespace revisit_slam::simulation {
+
+struct WorldConfig {
+  /// At most this many moving cars over the whole drive; 0 makes the world static.
+  int moving_cars = 200;
+};
+
+/// All that a sensor can see. The kind and the seed of the world are those of the route.
+struct World {
+  /// What stands still, in the map frame.
+  TriangleMesh still;
+  /// Shapes of moving cars, in their own frames (see MovingCar::poseAt).
+  std::vector<TriangleMesh> car_models;
+  std::vector<MovingCar> cars;
+};
+
+/// Lays the world around the route: the way itself stays free, and a place that the route visits
+/// again is the same place.
+World makeWorld(const WorldConfig& config, const Route& route);
+
+}  // namespace revisit_slam::simulation
