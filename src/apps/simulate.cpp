@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include <rosbag/bag.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_msgs/TFMessage.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+
+#include "revisit_slam/simulation/drive.h"
+#include "revisit_slam/simulation/report.h"
+
+namespace revisit_slam::simulation {
+namespace {
+
+struct Options {
+  std::string out;
+  std::string world = "town";
+  std::string motion = "vehicle";
+  std::string sensor = "spinning-64";
+  RouteConfig route;
+  WorldConfig traffic;
+  ScanConfig scan;
+  double height = 0.0;
+  double start_time = 1700000000.0;
+  int columns = 0;
+  int max_scans = 0;
+  int threads = 0;
+  bool no_times = false;
+  bool still = false;
+  bool quiet = false;
+};
+
+void declare(CLI::App& app, Options& o) {
+  app.add_option("--out", o.out, "bag to write; FILE.gt.tum and FILE.json are put beside it")->required();
+  app.add_option("--world", o.world, "kind of world")->check(CLI::IsMember(worldNames()))->capture_default_str();
+  app.add_option("--route", o.route.route,
+                 "tour, loop, opposite, lateral, crossing, out-and-back, figure-eight, or a TUM or KITTI file")
+      ->capture_default_str();
+  app.add_option("--length", o.route.length, "metres; 0: 1000, or all of a file")->check(CLI::NonNegativeNumber);
+  app.add_option("--speed", o.route.speed, "highest speed in m/s; 0: as in the file, or usual in the world")
+      ->check(CLI::Range(0.0, 40.0));
+  app.add_option("--lateral-offset", o.route.lateral_offset, "metres between the laps of --route lateral")
+      ->check(CLI::Range(2.0, 8.0))->capture_default_str();
+  app.add_flag("--stop-and-go", o.route.stop_and_go, "stop about every 120 m");
+  app.add_option("--motion", o.motion, "how the sensor is carried")
+      ->check(CLI::IsMember({"vehicle", "handheld"}))->capture_default_str();
+  app.add_option("--sensor", o.sensor, "kind of sensor")->check(CLI::IsMember(sensorNames()))->capture_default_str();
+  app.add_option("--columns", o.columns, "firings of a ring in a scan; 0: the sensor's own")
+      ->check(CLI::Range(0, 8192));
+  app.add_option("--dropout", o.scan.random_dropout, "share of measurements lost by chance")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--height", o.height, "sensor above base_link in metres; 0: 1.8, handheld 1.5")
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_option("--noise", o.scan.noise, "standard deviation of the range in metres")
+      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  app.add_option("--seed", o.route.seed, "of world, route and noise")->capture_default_str();
+  app.add_option("--max-scans", o.max_scans, "0: all")->check(CLI::NonNegativeNumber);
+  app.add_option("--max-cars", o.traffic.moving_cars, "moving cars over the whole drive")
+      ->check(CLI::NonNegativeNumber)->capture_default_str();
+  app.add_flag("--static", o.still, "no moving cars");
+  app.add_flag("--no-times", o.no_times, "leave the field of point times out");
+  app.add_flag("--deskewed", o.scan.deskewed, "cast all rays of a scan from the pose at its end");
+  app.add_option("--start-time", o.start_time, "seconds since 1970 at the start")
+      ->check(CLI::Range(1.0, 4.0e9))->capture_default_str();
+  app.add_option("--threads", o.threads, "0: all; the result is the same")->check(CLI::Range(0, 256));
+  app.add_flag("--quiet", o.quiet, "no progress");
+}
+
+void complete(Options& o) {
+  o.route.world = worldKindOf(o.world);
+  o.route.motion = o.motion == "handheld" ? MotionKind::kHandheld : MotionKind::kVehicle;
+  o.route.start = Stamp::fromSeconds(o.start_time);
+  o.scan.seed = o.route.seed;
+  if (o.height <= 0.0) o.height = o.motion == "handheld" ? 1.5 : 1.8;
+  o.scan.T_base_sensor.translation = {0.0, 0.0, o.height};
+  if (o.still) o.traffic.moving_cars = 0;
+}
+
+/// Writes the fields of one point after another into a message.
+class CloudWriter {
+ public:
+  CloudWriter(const SensorModel& sensor, bool with_times) : kind_(sensor.kind), with_times_(with_times) {}
+
+  sensor_msgs::PointCloud2 write(const SimulatedScan& scan, std::uint32_t sequence) {
+    sensor_msgs::PointCloud2 cloud;
+    cloud.header.seq = sequence;
+    cloud.header.stamp.fromNSec(static_cast<std::uint64_t>(scan.first.nanoseconds));
+    cloud.header.frame_id = "lidar";
+    declareFields(cloud);
+    cloud.height = 1;
+    cloud.width = static_cast<std::uint32_t>(scan.scan.points.size());
+    cloud.row_step = cloud.point_step * cloud.width;
+    cloud.is_dense = true;
+    cloud.data.resize(cloud.row_step);
+    target_ = cloud.data.data();
+    for (std::size_t i = 0; i < scan.scan.points.size(); ++i) putPoint(scan, i);
+    return cloud;
+  }
+
+ private:
+  using Field = sensor_msgs::PointField;
+
+  static void add(sensor_msgs::PointCloud2& cloud, const char* name, std::uint8_t type, std::uint32_t size) {
+    Field field;
+    field.name = name;
+    field.offset = cloud.point_step;
+    field.datatype = type;
+    field.count = 1;
+    cloud.fields.push_back(field);
+    cloud.point_step += size;
+  }
+
+  void declareFields(sensor_msgs::PointCloud2& cloud) const {
+    for (const char* name : {"x", "y", "z", "intensity"}) add(cloud, name, Field::FLOAT32, 4);
+    if (kind_ == SensorKind::kSpinning) {
+      if (with_times_) add(cloud, "t", Field::UINT32, 4);
+      add(cloud, "ring", Field::UINT16, 2);
+    } else if (kind_ == SensorKind::kRosette) {
+      add(cloud, "tag", Field::UINT8, 1);
+      add(cloud, "line", Field::UINT8, 1);
+      if (with_times_) add(cloud, "timestamp", Field::FLOAT64, 8);
+    } else if (with_times_) {
+      add(cloud, "time", Field::FLOAT32, 4);
+    }
+  }
+
+  template <typename T>
+  void put(T value) {
+    std::memcpy(target_, &value, sizeof(T));
+    target_ += sizeof(T);
+  }
+
+  void putPoint(const SimulatedScan& scan, std::size_t i) {
+    for (int axis = 0; axis < 3; ++axis) put<float>(scan.scan.points[i][axis]);
+    put<float>(scan.intensities[i]);
+    const std::uint32_t ns = scan.nanoseconds[i];
+    if (kind_ == SensorKind::kSpinning) {
+      if (with_times_) put<std::uint32_t>(ns);
+      put<std::uint16_t>(scan.rings[i]);
+    } else if (kind_ == SensorKind::kRosette) {
+      put<std::uint8_t>(0x10);
+      put<std::uint8_t>(static_cast<std::uint8_t>(scan.rings[i]));
+      if (with_times_) put<double>(static_cast<double>(scan.first.nanoseconds + ns));
+    } else if (with_times_) {
+      put<float>(static_cast<float>(1e-9 * ns));
+    }
+  }
+
+  SensorKind kind_;
+  bool with_times_;
+  std::uint8_t* target_ = nullptr;
+};
+
+void writeMounting(rosbag::Bag& bag, const Options& o, Stamp start) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp.fromNSec(static_cast<std::uint64_t>(start.nanoseconds));
+  transform.header.frame_id = "base_link";
+  transform.child_frame_id = "lidar";
+  transform.transform.translation.z = o.height;
+  transform.transform.rotation.w = 1.0;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(transform);
+  auto connection = boost::make_shared<ros::M_string>();
+  using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
+  (*connection)["topic"] = "/tf_static";
+  (*connection)["type"] = ros::message_traits::datatype<tf2_msgs::TFMessage>();
+  (*connection)["md5sum"] = Traits::value();
+  (*connection)["message_definition"] = ros::message_traits::definition<tf2_msgs::TFMessage>();
+  (*connection)["callerid"] = "/simulate";
+  (*connection)["latching"] = "1";
+  bag.write("/tf_static", transform.header.stamp, message, connection);
+}
+
+/// A bar with rate and time left on a terminal, a line every ten per cent elsewhere.
+class Progress {
+ public:
+  Progress(int total, bool quiet) : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+  void show(int done) {
+    const int tenth = 10 * done / total_;
+    const bool due = terminal_ ? done % 5 == 0 || done == total_ : tenth != last_tenth_;
+    if (quiet_ || !due) return;
+    last_tenth_ = tenth;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    const double rate = done / std::max(elapsed.count(), 1e-6);
+    const std::string bar(static_cast<std::size_t>(30 * done / total_), '#');
+    std::fprintf(stderr, terminal_ ? "\r[%-30s] %d/%d scans, %.1f/s, %.0f s left   " : "%.0s%d/%d scans, %.1f/s, %.0f s left\n",
+                 bar.c_str(), done, total_, rate, (total_ - done) / rate);
+    if (terminal_ && done == total_) std::fprintf(stderr, "\n");
+  }
+
+ private:
+  int total_;
+  bool quiet_;
+  bool terminal_;
+  int last_tenth_ = -1;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Every option that was given or has a default, but those that do not change the result.
+std::vector<std::pair<std::string, std::string>> optionsOf(const Options& o) {
+  const auto number = [](double value) {
+    std::ostringstream text;
+    text << std::setprecision(12) << value;
+    return text.str();
+  };
+  const auto flag = [](bool value) { return std::string(value ? "true" : "false"); };
+  return {{"world", quoted(o.world)},
+          {"route", quoted(o.route.route)},
+          {"length", number(o.route.length)},
+          {"speed", number(o.route.speed)},
+          {"lateral-offset", number(o.route.lateral_offset)},
+          {"stop-and-go", flag(o.route.stop_and_go)},
+          {"motion", quoted(o.motion)},
+          {"sensor", quoted(o.sensor)},
+          {"columns", number(o.columns)},
+          {"height", number(o.height)},
+          {"noise", number(o.scan.noise)},
+          {"dropout", number(o.scan.random_dropout)},
+          {"seed", std::to_string(o.route.seed)},
+          {"max-scans", number(o.max_scans)},
+          {"max-cars", number(o.traffic.moving_cars)},
+          {"no-times", flag(o.no_times)},
+          {"deskewed", flag(o.scan.deskewed)},
+          {"start-time", number(o.start_time)}};
+}
+
+std::string besides(const std::string& bag, const std::string& ending) {
+  const bool named_bag = bag.size() > 4 && bag.compare(bag.size() - 4, 4, ".bag") == 0;
+  return (named_bag ? bag.substr(0, bag.size() - 4) : bag) + ending;
+}
+
+std::vector<Revisit> revisitsUntil(const Route& route, Stamp end) {
+  std::vector<Revisit> seen;
+  for (Revisit revisit : findRevisits(route)) {
+    if (revisit.later_from > end) continue;
+    revisit.later_until = std::min(revisit.later_until, end);
+    seen.push_back(revisit);
+  }
+  return seen;
+}
+
+void run(Options o) {
+  complete(o);
+  const Route route = makeRoute(o.route);
+  const SensorModel sensor = makeSensor(o.sensor, o.columns);
+  const World world = makeWorld(o.traffic, route);
+  const ScanSimulator simulator(world, route, sensor, o.scan);
+  const int count = scanCount(route, o.max_scans);
+  if (!o.quiet) {
+    std::fprintf(stderr, "%s: %.0f m, %.1f s, %d scans, %zu triangles, %zu moving cars\n", o.world.c_str(),
+                 route.length(), secondsBetween(route.start(), route.end()), count,
+                 world.still.triangles.size(), world.cars.size());
+  }
+  rosbag::Bag bag(o.out, rosbag::bagmode::Write);
+  bag.setCompression(rosbag::compression::LZ4);
+  writeMounting(bag, o, route.start());
+  CloudWriter writer(sensor, !o.no_times);
+  Progress progress(count, o.quiet);
+  std::vector<Stamp> stamps;
+  DriveReport report;
+  simulateDrive(simulator, route, count, o.threads, [&](int index, const SimulatedScan& scan) {
+    const sensor_msgs::PointCloud2 cloud = writer.write(scan, static_cast<std::uint32_t>(index));
+    bag.write("/points", cloud.header.stamp, cloud);
+    stamps.push_back(scan.scan.stamp);
+    report.points += cloud.width;
+    progress.show(index + 1);
+  });
+  bag.close();
+  writeTruth(besides(o.out, ".gt.tum"), route, stamps);
+  report.options = optionsOf(o);
+  report.scans = count;
+  report.start = route.start();
+  report.end = stamps.empty() ? route.start() : stamps.back();
+  report.length = route.arcAt(report.end);
+  report.triangles = world.still.triangles.size();
+  report.moving_cars = world.cars.size();
+  report.revisits = revisitsUntil(route, report.end);
+  writeReport(besides(o.out, ".json"), report);
+}
+
+}  // namespace
+}  // namespace revisit_slam::simulation
+
+int main(int argc, char** argv) {
+  CLI::App app("Simulates a LiDAR drive and writes it as a ROS bag with its true trajectory.", "simulate");
+  revisit_slam::simulation::Options options;
+  revisit_slam::simulation::declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    revisit_slam::simulation::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "simulate: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

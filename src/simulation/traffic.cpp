@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "traffic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "car_shapes.h"
+#include "revisit_slam/simulation/random.h"
+#include "site.h"
+
+namespace revisit_slam::simulation {
+namespace {
+
+constexpr double kStep = 0.2;
+constexpr double kSecondsPerCar = 12.0;
+constexpr double kAppears = 115.0;
+constexpr double kLevelHeight = 2.5;
+
+/// Arc on the route over seconds since the start of the drive.
+using ArcOverTime = std::function<double(double)>;
+
+struct Drive {
+  double from;
+  double until;
+  ArcOverTime arc;
+  /// Metres left of the platform's line; +1 along the route, -1 against it.
+  double left;
+  double direction;
+};
+
+Drive oncoming(const Route& route, double meeting, Random& random) {
+  const double speed = random.uniform(6.0, 13.0);
+  const double middle = route.arcAt(route.start().plusSeconds(meeting));
+  return {meeting - kAppears / speed, meeting + kAppears / speed,
+          [=](double t) { return middle - speed * (t - meeting); },
+          2.0 * laneOffset(route.layout().kind), -1.0};
+}
+
+/// A car that comes near from ahead (or behind), keeps its distance for a while and leaves again.
+Drive companion(const Route& route, double middle, double sign, Random& random) {
+  const double half = random.uniform(20.0, 40.0), nearest = random.uniform(13.0, 22.0);
+  const auto arc = [=, &route](double t) {
+    const double u = std::clamp((std::abs(t - middle) / half - 0.4) / 0.6, 0.0, 1.0);
+    const double gap = nearest + kAppears * u * u * (3.0 - 2.0 * u);
+    return route.arcAt(route.start().plusSeconds(t)) + sign * gap;
+  };
+  return {middle - half, middle + half, arc, 0.0, 1.0};
+}
+
+MovingCar carOn(const Route& route, const Drive& drive, int model) {
+  std::vector<UniformSpline<6>::Value> states;
+  const auto onRoute = [&](double t) {
+    const double arc = drive.arc(t);
+    return arc > 4.0 && arc < route.length() - 4.0;
+  };
+  double begin = std::max(0.0, drive.from);
+  while (begin < drive.until && !onRoute(begin)) begin += kStep;
+  for (double t = begin; t < drive.until && onRoute(t); t += kStep) {
+    const Eigen::Vector3d forward = route.directionAt(drive.arc(t));
+    const Eigen::Vector3d aside = Eigen::Vector3d(-forward.y(), forward.x(), 0.0).normalized();
+    UniformSpline<6>::Value state;
+    state << route.positionAt(drive.arc(t)) + drive.left * aside, drive.direction * forward;
+    states.push_back(state);
+  }
+  if (states.size() < 10) return {};
+  const Stamp from = route.start().plusSeconds(begin);
+  UniformSpline<6> motion(std::move(states), kStep);
+  return {model, from, from.plusSeconds(motion.end()), std::move(motion)};
+}
+
+Plot plotOf(const Pose& T_map_car, double length, double width) {
+  const Eigen::Vector3d forward = T_map_car.rotation * Eigen::Vector3d::UnitX();
+  return {{T_map_car.translation, std::atan2(forward.y(), forward.x())}, 0.5 * length, 0.5 * width};
+}
+
+bool collide(const Plot& a, const Plot& b) {
+  return std::abs(a.centre.origin.z() - b.centre.origin.z()) < kLevelHeight && overlap(a, b);
+}
+
+bool isClear(const Route& route, const MovingCar& car, const std::vector<MovingCar>& others) {
+  const CarSize size = carSize(car.model);
+  for (Stamp t = car.from; t <= car.until; t = t.plusSeconds(0.1)) {
+    const Plot own = plotOf(car.poseAt(t), size.length + 0.6, size.width + 0.3);
+    if (collide(own, plotOf(route.poseAt(t), 5.5, 2.2))) return false;
+    for (const MovingCar& other : others) {
+      const CarSize its = carSize(other.model);
+      if (!other.isPresent(t)) continue;
+      if (collide(own, plotOf(other.poseAt(t), its.length, its.width))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<MovingCar> makeTraffic(const Route& route, int most) {
+  Random random(hashOf(route.layout().seed, 980));
+  const double duration = secondsBetween(route.start(), route.end());
+  const int tries = static_cast<int>(duration / kSecondsPerCar) + 1;
+  std::vector<MovingCar> cars;
+  for (int k = 0; k < tries && static_cast<int>(cars.size()) < most; ++k) {
+    const double middle = random.uniform(0.0, duration);
+    const double kind = random.uniform(0.0, 1.0);
+    const Drive drive = kind < 0.65 ? oncoming(route, middle, random)
+                                    : companion(route, middle, kind < 0.85 ? 1.0 : -1.0, random);
+    MovingCar car = carOn(route, drive, random.integer(0, carModelCount() - 1));
+    if (car.until == car.from || !isClear(route, car, cars)) continue;
+    cars.push_back(std::move(car));
+  }
+  return cars;
+}
+
+}  // namespace revisit_slam::simulation

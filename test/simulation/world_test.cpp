@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/simulation/world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "revisit_slam/simulation/ray_caster.h"
+#include "simulation_fixtures.h"
+
+namespace revisit_slam::simulation {
+namespace {
+
+TEST(World, NothingStandsWhereThePlatformDrives) {
+  for (const auto& [world_kind, length] : {std::pair{WorldKind::kTown, 500.0}, {WorldKind::kCampus, 300.0},
+                                           {WorldKind::kBridge, 600.0}, {WorldKind::kRamp, 900.0}}) {
+    RouteConfig config = shortDrive("tour", length);
+    config.world = world_kind;
+    const Route route = makeRoute(config);
+    const World world = makeWorld({0}, route);
+    const RayCaster caster(world.still);
+    for (double arc = 1.0; arc + 2.0 < route.length(); arc += 1.0) {
+      const Eigen::Vector3d forward = route.directionAt(arc);
+      for (const double height : {0.5, 1.0, 1.8}) {
+        const Eigen::Vector3d from = route.positionAt(arc) + Eigen::Vector3d(0.0, 0.0, height);
+        ASSERT_FALSE(caster.cast(from, forward, 1.0)) << nameOf(world_kind) << " at " << arc << " m";
+      }
+      const auto road = caster.cast(route.positionAt(arc) + Eigen::Vector3d(0.0, 0.0, 1.0),
+                                    -Eigen::Vector3d::UnitZ(), 3.0);
+      ASSERT_TRUE(road) << nameOf(world_kind) << " at " << arc << " m";
+      EXPECT_NEAR(road->range, 1.0, 0.12) << nameOf(world_kind) << " at " << arc << " m";
+    }
+  }
+}
+
+TEST(World, MovingCarsKeepAwayFromThePlatform) {
+  RouteConfig config = shortDrive("opposite", 1200.0);
+  config.stop_and_go = true;
+  const Route route = makeRoute(config);
+  const World world = makeWorld({}, route);
+  ASSERT_GT(world.cars.size(), 5U);
+  for (const MovingCar& car : world.cars) {
+    for (Stamp t = car.from; t <= car.until; t = t.plusSeconds(0.05)) {
+      const Eigen::Vector3d apart = route.poseAt(t).inverse() * car.poseAt(t).translation;
+      const bool beside = std::abs(apart.y()) > 1.9;
+      const bool before_or_behind = std::abs(apart.x()) > 4.0;
+      ASSERT_TRUE(beside || before_or_behind) << apart.transpose();
+    }
+  }
+}
+
+TEST(World, IsBoundedAndRepeatable) {
+  const Route route = makeRoute(shortDrive());
+  const World a = makeWorld({3}, route), b = makeWorld({3}, route);
+  EXPECT_LE(a.cars.size(), 3U);
+  EXPECT_EQ(a.still.vertices, b.still.vertices);
+  EXPECT_EQ(a.still.triangles, b.still.triangles);
+  EXPECT_EQ(a.still.triangles.size(), a.still.materials.size());
+}
+
+TEST(World, SeedsDiffer) {
+  RouteConfig config = shortDrive();
+  const Route first = makeRoute(config);
+  config.seed = 2;
+  const Route second = makeRoute(config);
+  EXPECT_NE(makeWorld({0}, first).still.triangles.size(), makeWorld({0}, second).still.triangles.size());
+}
+
+}  // namespace
+}  // namespace revisit_slam::simulation
