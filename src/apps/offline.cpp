@@ -12,6 +12,7 @@
 #include "revisit_slam/io/progress.h"
 #include "revisit_slam/io/run_folder.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/pipeline/information_stage.h"
 #include "revisit_slam/pipeline/slam_config.h"
 #include "revisit_slam/ros/bag_scans.h"
 #include "revisit_slam/ros/front_end.h"
@@ -72,6 +73,7 @@ class OfflineRun {
         bag_(options.bags, options.topic),
         folder_(options.out),
         front_end_(config),
+        information_(config.information),
         map_(kMapVoxelSize),
         total_(options.max_scans > 0 ? std::min(options.max_scans, bag_.size()) : bag_.size()),
         progress_("mapping", "scans", total_, options.quiet) {}
@@ -124,18 +126,31 @@ class OfflineRun {
     const double cpu_before = processCpuSeconds();
     FrontEnd::Result result = cloud ? front_end_.process(*cloud) : front_end_.process(*other);
     processing_cpu_seconds_ += processCpuSeconds() - cpu_before;
-
-    if (front_end_.timeSource() != said_time_source_) {
-      said_time_source_ = front_end_.timeSource();
-      progress_.say(said_time_source_);
-    }
-    if (!result.scan) {
+    sayTimeSource();
+    if (result.scan) {
+      finishScan(std::move(*result.scan), std::move(result.times));
+    } else {
       progress_.say("scan at " + std::to_string(instance.getTime().toSec()) + " s dropped: " +
                     result.rejection);
-      return;
     }
-    folder_.add(*result.scan, result.times);
-    map_.insert(result.scan->points_base, result.scan->T_odom_base);
+  }
+
+  void finishScan(RegisteredScan&& scan, StageTimes times) {
+    const double cpu_before = processCpuSeconds();
+    StageClock clock;
+    const InformedScan informed =
+        information_.inform(std::make_shared<const RegisteredScan>(std::move(scan)));
+    clock.stage("information");
+    processing_cpu_seconds_ += processCpuSeconds() - cpu_before;
+    times.push_back(clock.times().front());
+    folder_.add(informed, times);
+    map_.insert(informed.scan->points_base, informed.scan->T_odom_base);
+  }
+
+  void sayTimeSource() {
+    if (front_end_.timeSource() == said_time_source_) return;
+    said_time_source_ = front_end_.timeSource();
+    progress_.say(said_time_source_);
   }
 
   void writeResults() {
@@ -161,6 +176,7 @@ class OfflineRun {
   BagScans bag_;
   RunFolder folder_;
   FrontEnd front_end_;
+  InformationStage information_;
   PointMap map_;
   std::size_t total_;
   Progress progress_;

@@ -9,7 +9,9 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "revisit_slam/simulation/drive.h"
 #include "revisit_slam/simulation/report.h"
@@ -35,21 +37,41 @@ struct Options {
   bool quiet = false;
 };
 
-void declare(CLI::App& app, Options& o) {
-  app.add_option("--out", o.out, "bag to write; FILE.gt.tum and FILE.json are put beside it")->required();
-  app.add_option("--world", o.world, "kind of world")->check(CLI::IsMember(worldNames()))->capture_default_str();
-  app.add_option("--route", o.route.route,
-                 "tour, loop, opposite, lateral, crossing, out-and-back, figure-eight, or a TUM or KITTI file")
+void declareDrive(CLI::App& app, Options& o) {
+  app.add_option("--world", o.world, "kind of world")
+      ->check(CLI::IsMember(worldNames()))
       ->capture_default_str();
-  app.add_option("--length", o.route.length, "metres; 0: 1000, or all of a file")->check(CLI::NonNegativeNumber);
-  app.add_option("--speed", o.route.speed, "highest speed in m/s; 0: as in the file, or usual in the world")
+  app.add_option("--route", o.route.route,
+                 "tour, loop, opposite, lateral, crossing, out-and-back, figure-eight, or a TUM or "
+                 "KITTI file")
+      ->capture_default_str();
+  app.add_option("--length", o.route.length, "metres; 0: 1000, or all of a file")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--speed", o.route.speed,
+                 "highest speed in m/s; 0: as in the file, or usual in the world")
       ->check(CLI::Range(0.0, 40.0));
-  app.add_option("--lateral-offset", o.route.lateral_offset, "metres between the laps of --route lateral")
-      ->check(CLI::Range(2.0, 8.0))->capture_default_str();
+  app.add_option("--lateral-offset", o.route.lateral_offset,
+                 "metres between the laps of --route lateral")
+      ->check(CLI::Range(2.0, 8.0))
+      ->capture_default_str();
   app.add_flag("--stop-and-go", o.route.stop_and_go, "stop about every 120 m");
   app.add_option("--motion", o.motion, "how the sensor is carried")
-      ->check(CLI::IsMember({"vehicle", "handheld"}))->capture_default_str();
-  app.add_option("--sensor", o.sensor, "kind of sensor")->check(CLI::IsMember(sensorNames()))->capture_default_str();
+      ->check(CLI::IsMember({"vehicle", "handheld"}))
+      ->capture_default_str();
+  app.add_option("--seed", o.route.seed, "of world, route and noise")->capture_default_str();
+  app.add_option("--max-cars", o.traffic.moving_cars, "moving cars over the whole drive")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag("--static", o.still, "no moving cars");
+  app.add_option("--start-time", o.start_time, "seconds since 1970 at the start")
+      ->check(CLI::Range(1.0, 4.0e9))
+      ->capture_default_str();
+}
+
+void declareSensor(CLI::App& app, Options& o) {
+  app.add_option("--sensor", o.sensor, "kind of sensor")
+      ->check(CLI::IsMember(sensorNames()))
+      ->capture_default_str();
   app.add_option("--columns", o.columns, "firings of a ring in a scan; 0: the sensor's own")
       ->check(CLI::Range(0, 8192));
   app.add_option("--dropout", o.scan.random_dropout, "share of measurements lost by chance")
@@ -57,17 +79,18 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--height", o.height, "sensor above base_link in metres; 0: 1.8, handheld 1.5")
       ->check(CLI::Range(0.0, 10.0));
   app.add_option("--noise", o.scan.noise, "standard deviation of the range in metres")
-      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
-  app.add_option("--seed", o.route.seed, "of world, route and noise")->capture_default_str();
-  app.add_option("--max-scans", o.max_scans, "0: all")->check(CLI::NonNegativeNumber);
-  app.add_option("--max-cars", o.traffic.moving_cars, "moving cars over the whole drive")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
-  app.add_flag("--static", o.still, "no moving cars");
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_flag("--no-times", o.no_times, "leave the field of point times out");
   app.add_flag("--deskewed", o.scan.deskewed, "cast all rays of a scan from the pose at its end");
-  app.add_option("--start-time", o.start_time, "seconds since 1970 at the start")
-      ->check(CLI::Range(1.0, 4.0e9))->capture_default_str();
-  app.add_option("--threads", o.threads, "0: all; the result is the same")->check(CLI::Range(0, 256));
+}
+
+void declareRun(CLI::App& app, Options& o) {
+  app.add_option("--out", o.out, "bag to write; FILE.gt.tum and FILE.json are put beside it")
+      ->required();
+  app.add_option("--max-scans", o.max_scans, "0: all")->check(CLI::NonNegativeNumber);
+  app.add_option("--threads", o.threads, "0: all; the result is the same")
+      ->check(CLI::Range(0, 256));
   app.add_flag("--quiet", o.quiet, "no progress");
 }
 
@@ -84,7 +107,8 @@ void complete(Options& o) {
 /// Writes the fields of one point after another into a message.
 class CloudWriter {
  public:
-  CloudWriter(const SensorModel& sensor, bool with_times) : kind_(sensor.kind), with_times_(with_times) {}
+  CloudWriter(const SensorModel& sensor, bool with_times)
+      : kind_(sensor.kind), with_times_(with_times) {}
 
   sensor_msgs::PointCloud2 write(const SimulatedScan& scan, std::uint32_t sequence) {
     sensor_msgs::PointCloud2 cloud;
@@ -105,7 +129,8 @@ class CloudWriter {
  private:
   using Field = sensor_msgs::PointField;
 
-  static void add(sensor_msgs::PointCloud2& cloud, const char* name, std::uint8_t type, std::uint32_t size) {
+  static void add(sensor_msgs::PointCloud2& cloud, const char* name, std::uint8_t type,
+                  std::uint32_t size) {
     Field field;
     field.name = name;
     field.offset = cloud.point_step;
@@ -179,7 +204,8 @@ void writeMounting(rosbag::Bag& bag, const Options& o, Stamp start) {
 /// A bar with rate and time left on a terminal, a line every ten per cent elsewhere.
 class Progress {
  public:
-  Progress(int total, bool quiet) : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+  Progress(int total, bool quiet)
+      : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
   void show(int done) {
     const int tenth = 10 * done / total_;
@@ -188,9 +214,14 @@ class Progress {
     last_tenth_ = tenth;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
     const double rate = done / std::max(elapsed.count(), 1e-6);
-    const std::string bar(static_cast<std::size_t>(30 * done / total_), '#');
-    std::fprintf(stderr, terminal_ ? "\r[%-30s] %d/%d scans, %.1f/s, %.0f s left   " : "%.0s%d/%d scans, %.1f/s, %.0f s left\n",
-                 bar.c_str(), done, total_, rate, (total_ - done) / rate);
+    const double left = (total_ - done) / rate;
+    if (terminal_) {
+      const std::string bar(static_cast<std::size_t>(30 * done / total_), '#');
+      std::fprintf(stderr, "\r[%-30s] %d/%d scans, %.1f/s, %.0f s left   ", bar.c_str(), done,
+                   total_, rate, left);
+    } else {
+      std::fprintf(stderr, "%d/%d scans, %.1f/s, %.0f s left\n", done, total_, rate, left);
+    }
     if (terminal_ && done == total_) std::fprintf(stderr, "\n");
   }
 
@@ -245,52 +276,72 @@ std::vector<Revisit> revisitsUntil(const Route& route, Stamp end) {
   return seen;
 }
 
-void run(Options o) {
-  complete(o);
-  const Route route = makeRoute(o.route);
-  const SensorModel sensor = makeSensor(o.sensor, o.columns);
-  const World world = makeWorld(o.traffic, route);
-  const ScanSimulator simulator(world, route, sensor, o.scan);
-  const int count = scanCount(route, o.max_scans);
-  if (!o.quiet) {
-    std::fprintf(stderr, "%s: %.0f m, %.1f s, %d scans, %zu triangles, %zu moving cars\n", o.world.c_str(),
-                 route.length(), secondsBetween(route.start(), route.end()), count,
-                 world.still.triangles.size(), world.cars.size());
-  }
+struct Summary {
+  std::vector<Stamp> last_points;
+  std::uint64_t points = 0;
+};
+
+/// Writes all scans; the bag is whole when this returns.
+Summary writeBag(const Options& o, const Route& route, const ScanSimulator& simulator, int count) {
   rosbag::Bag bag(o.out, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::LZ4);
   writeMounting(bag, o, route.start());
-  CloudWriter writer(sensor, !o.no_times);
+  CloudWriter writer(simulator.sensor(), !o.no_times);
   Progress progress(count, o.quiet);
-  std::vector<Stamp> stamps;
-  DriveReport report;
-  simulateDrive(simulator, route, count, o.threads, [&](int index, const SimulatedScan& scan) {
-    const sensor_msgs::PointCloud2 cloud = writer.write(scan, static_cast<std::uint32_t>(index));
+  Summary summary;
+  const auto record = [&](int index, const SimulatedScan& scan) {
+    const auto cloud = writer.write(scan, static_cast<std::uint32_t>(index));
     bag.write("/points", cloud.header.stamp, cloud);
-    stamps.push_back(scan.scan.stamp);
-    report.points += cloud.width;
+    summary.last_points.push_back(scan.scan.stamp);
+    summary.points += cloud.width;
     progress.show(index + 1);
-  });
+  };
+  simulateDrive(simulator, route, count, o.threads, record);
   bag.close();
-  writeTruth(besides(o.out, ".gt.tum"), route, stamps);
+  return summary;
+}
+
+DriveReport reportOf(const Options& o, const Route& route, const World& world,
+                     const Summary& summary) {
+  DriveReport report;
   report.options = optionsOf(o);
-  report.scans = count;
+  report.scans = static_cast<int>(summary.last_points.size());
+  report.points = summary.points;
   report.start = route.start();
-  report.end = stamps.empty() ? route.start() : stamps.back();
+  report.end = summary.last_points.empty() ? route.start() : summary.last_points.back();
   report.length = route.arcAt(report.end);
   report.triangles = world.still.triangles.size();
   report.moving_cars = world.cars.size();
   report.revisits = revisitsUntil(route, report.end);
-  writeReport(besides(o.out, ".json"), report);
+  return report;
+}
+
+void run(Options o) {
+  complete(o);
+  const Route route = makeRoute(o.route);
+  const World world = makeWorld(o.traffic, route);
+  const ScanSimulator simulator(world, route, makeSensor(o.sensor, o.columns), o.scan);
+  const int count = scanCount(route, o.max_scans);
+  if (!o.quiet) {
+    std::fprintf(stderr, "%s: %.0f m, %.1f s, %d scans, %zu triangles, %zu moving cars\n",
+                 o.world.c_str(), route.length(), secondsBetween(route.start(), route.end()), count,
+                 world.still.triangles.size(), world.cars.size());
+  }
+  const Summary summary = writeBag(o, route, simulator, count);
+  writeTruth(besides(o.out, ".gt.tum"), route, summary.last_points);
+  writeReport(besides(o.out, ".json"), reportOf(o, route, world, summary));
 }
 
 }  // namespace
 }  // namespace revisit_slam::simulation
 
 int main(int argc, char** argv) {
-  CLI::App app("Simulates a LiDAR drive and writes it as a ROS bag with its true trajectory.", "simulate");
+  CLI::App app("Simulates a LiDAR drive and writes it as a ROS bag with its true trajectory.",
+               "simulate");
   revisit_slam::simulation::Options options;
-  revisit_slam::simulation::declare(app, options);
+  revisit_slam::simulation::declareRun(app, options);
+  revisit_slam::simulation::declareDrive(app, options);
+  revisit_slam::simulation::declareSensor(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
     revisit_slam::simulation::run(options);

@@ -42,15 +42,35 @@ json statistics(const std::map<std::string, std::vector<double>>& stage_ms) {
 }  // namespace
 
 RunFolder::RunFolder(const std::string& path)
-    : path_(made(path)), odometry_(file("odometry.tum")), scan_times_(file("scan_times.csv")) {
-  if (!scan_times_) throw std::runtime_error("cannot write '" + file("scan_times.csv") + "'");
+    : path_(made(path)),
+      odometry_(file("odometry.tum")),
+      information_(file("odometry_information.csv")),
+      scan_times_(file("scan_times.csv")) {
+  if (!information_ || !scan_times_) throw std::runtime_error("cannot write into '" + path + "'");
+  information_ << "scan,stamp,source,mean_squared_residual,weak_directions";
+  for (const char* matrix : {"information", "covariance"})
+    for (int row = 1; row <= 6; ++row)
+      for (int column = row; column <= 6; ++column) information_ << "," << matrix << row << column;
+  information_ << "\n";
 }
 
-void RunFolder::add(const RegisteredScan& scan, const StageTimes& times) {
+void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
+  const RegisteredScan& scan = *informed.scan;
   odometry_.write({scan.stamp, scan.T_odom_base});
   if (scan.id.value > 0) path_length_ += (scan.T_odom_base.translation - previous_position_).norm();
   previous_position_ = scan.T_odom_base.translation;
+  writeInformation(informed);
   writeTimes(scan, times);
+}
+
+void RunFolder::writeInformation(const InformedScan& informed) {
+  information_ << informed.scan->id.value << "," << stampText(informed.scan->stamp) << ","
+               << toString(informed.source) << "," << informed.estimate.mean_squared_residual << ","
+               << informed.estimate.weak_directions.size();
+  for (const Matrix6* matrix : {&informed.estimate.information, &informed.covariance_motion})
+    for (int row = 0; row < 6; ++row)
+      for (int column = row; column < 6; ++column) information_ << "," << (*matrix)(row, column);
+  information_ << "\n";
 }
 
 void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) {
@@ -63,7 +83,7 @@ void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) 
     scan_times_ << ",total_ms\n";
   }
   double total = 0.0;
-  scan_times_ << scan.id.value << "," << std::fixed << scan.stamp.toSeconds();
+  scan_times_ << scan.id.value << "," << stampText(scan.stamp);
   for (const auto& [stage, ms] : times) {
     scan_times_ << "," << ms;
     stage_ms_[stage].push_back(ms);

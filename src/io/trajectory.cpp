@@ -28,17 +28,22 @@ Stamp parseStamp(const std::string& text) {
 
 }  // namespace
 
+std::string stampText(Stamp stamp) {
+  const std::int64_t nanoseconds = std::llabs(stamp.nanoseconds);
+  char text[32];
+  std::snprintf(text, sizeof(text), "%s%lld.%09lld", stamp.nanoseconds < 0 ? "-" : "",
+                static_cast<long long>(nanoseconds / 1'000'000'000),
+                static_cast<long long>(nanoseconds % 1'000'000'000));
+  return text;
+}
+
 void writeTumLine(std::ostream& out, const StampedPose& pose) {
   const Eigen::Vector3d& t = pose.T_world_base.translation;
   const Eigen::Quaterniond& q = pose.T_world_base.rotation;
-  const std::int64_t nanoseconds = std::llabs(pose.stamp.nanoseconds);
-  char line[256];
-  std::snprintf(line, sizeof(line), "%s%lld.%09lld %.9f %.9f %.9f %.12f %.12f %.12f %.12f\n",
-                pose.stamp.nanoseconds < 0 ? "-" : "",
-                static_cast<long long>(nanoseconds / 1'000'000'000),
-                static_cast<long long>(nanoseconds % 1'000'000'000), t.x(), t.y(), t.z(), q.x(),
-                q.y(), q.z(), q.w());
-  out << line;
+  char numbers[256];
+  std::snprintf(numbers, sizeof(numbers), " %.9f %.9f %.9f %.12f %.12f %.12f %.12f\n", t.x(), t.y(),
+                t.z(), q.x(), q.y(), q.z(), q.w());
+  out << stampText(pose.stamp) << numbers;
 }
 
 Trajectory readTum(const std::string& path) {

@@ -8,7 +8,6 @@
 namespace revisit_slam {
 namespace {
 
-constexpr int kCoordinateBits = 21;
 constexpr std::size_t kVectorWidth = 4;
 constexpr std::size_t kLargestCapacity = 100;
 
@@ -95,7 +94,7 @@ void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
   const auto [entry, created] =
-      block_of_.try_emplace(packVoxel<kCoordinateBits>(voxel), BlockIndex{0});
+      block_of_.try_emplace(packVoxel(voxel), BlockIndex{0});
   if (!created) return entry->second;
   if (free_blocks_.empty()) {
     free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
@@ -131,7 +130,7 @@ void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distan
   for (BlockIndex block = 0; block < sizes_.size(); ++block) {
     if (sizes_[block] == 0) continue;
     if ((voxels_[block].cast<float>() - centre).squaredNorm() <= limit) continue;
-    block_of_.erase(packVoxel<kCoordinateBits>(voxels_[block]));
+    block_of_.erase(packVoxel(voxels_[block]));
     sizes_[block] = 0;
     free_blocks_.push_back(block);
   }
@@ -147,7 +146,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   float unseen = edge * edge;
 
   const auto look = [&](const Voxel& offset) {
-    const auto entry = block_of_.find(packVoxel<kCoordinateBits>(voxel + offset));
+    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
     if (entry == block_of_.end()) return;
     const BlockIndex block = entry->second;
     float distances[kLargestCapacity];

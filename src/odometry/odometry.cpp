@@ -22,8 +22,9 @@ const char* toString(OdometryOutcome outcome) {
   return "unknown";
 }
 
-Odometry::Odometry(const OdometryConfig& config)
+Odometry::Odometry(const OdometryConfig& config, BeforeInsertion before_insertion)
     : config_(config),
+      before_insertion_(std::move(before_insertion)),
       arena_(config.threads),
       map_(config.map),
       registration_(config.registration),
@@ -71,7 +72,11 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   registered.registration =
       registration_.align(registered.source_base, map_, T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
+  registered.prediction_error = log(T_odom_predicted.inverse() * registered.T_odom_base);
   clock.stage("register");
+
+  if (before_insertion_ && !map_.empty()) before_insertion_(registered, map_);
+  clock.stage("gather");
 
   if (!long_gap) threshold_.update(T_odom_predicted.inverse() * registered.T_odom_base);
   map_.insert(map_points_base_, registered.T_odom_base);

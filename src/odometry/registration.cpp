@@ -71,7 +71,7 @@ RegistrationResult Registration::align(const Points& points_base, const LocalVox
   result.T_odom_base = T_odom_initial;
   if (map.empty()) return result;
   matches_.assign(points_base.size(), Match{});
-  const double max_distance = 3.0 * sigma;
+  const double max_distance = maxCorrespondenceDistance(sigma);
   const Chunks chunks(points_base.size(), kChunkLength);
   std::vector<Sums> chunk_sums(chunks.size());
 

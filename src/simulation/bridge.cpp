@@ -15,17 +15,18 @@ constexpr int kPierSpacing = 40;
 void addPiece(TriangleMesh& mesh, const Placement& at, double rise) {
   const auto corner = [&](double x, double y, double z) { return at.at(x, y, z + rise * x); };
   const double w = kHalfDeck;
-  addQuad(mesh, corner(0, -w, 0), corner(1, -w, 0), corner(1, w, 0), corner(0, w, 0), Material::kAsphalt);
+  addQuad(mesh, corner(0, -w, 0), corner(1, -w, 0), corner(1, w, 0), corner(0, w, 0),
+          Material::kAsphalt);
   addQuad(mesh, corner(0, -w, -0.8), corner(1, -w, -0.8), corner(1, w, -0.8), corner(0, w, -0.8),
           Material::kConcrete);
   for (const double side : {-1.0, 1.0}) {
     const double y = side * w, kerb = side * (w - 1.7);
     addQuad(mesh, corner(0, y, -0.8), corner(1, y, -0.8), corner(1, y, 0.25), corner(0, y, 0.25),
             Material::kConcrete);
-    addQuad(mesh, corner(0, kerb, 0), corner(1, kerb, 0), corner(1, kerb, 0.15), corner(0, kerb, 0.15),
-            Material::kConcrete);
-    addQuad(mesh, corner(0, kerb, 0.15), corner(1, kerb, 0.15), corner(1, y, 0.15), corner(0, y, 0.15),
-            Material::kPavement);
+    addQuad(mesh, corner(0, kerb, 0), corner(1, kerb, 0), corner(1, kerb, 0.15),
+            corner(0, kerb, 0.15), Material::kConcrete);
+    addQuad(mesh, corner(0, kerb, 0.15), corner(1, kerb, 0.15), corner(1, y, 0.15),
+            corner(0, y, 0.15), Material::kPavement);
     for (const double z : {0.55, 0.8, 1.1}) {
       addCylinder(mesh, corner(0, y, z), corner(1, y, z), 0.04, 0.04, 4, Material::kMetal);
     }
@@ -35,13 +36,15 @@ void addPiece(TriangleMesh& mesh, const Placement& at, double rise) {
 void addPosts(TriangleMesh& mesh, const Placement& at, int index) {
   for (const double side : {-1.0, 1.0}) {
     const double y = side * kHalfDeck;
-    if (index % 2 == 0) addBox(mesh, at, {-0.05, y - 0.05, 0.0}, {0.05, y + 0.05, 1.15}, Material::kMetal);
+    if (index % 2 == 0)
+      addBox(mesh, at, {-0.05, y - 0.05, 0.0}, {0.05, y + 0.05, 1.15}, Material::kMetal);
     if (index % kLampSpacing == 0) {
       addCylinder(mesh, at.at(0, y, 0), at.at(0, y, 7.0), 0.11, 0.07, 8, Material::kMetal);
       addBox(mesh, at, {-0.12, y - side * 1.9, 7.0}, {0.12, y, 7.12}, Material::kMetal);
     }
     if (index % kPierSpacing == 0) {
-      addBox(mesh, at, {-0.8, y - side * 2.5, -25.0}, {0.8, y - side * 1.0, -0.8}, Material::kConcrete);
+      addBox(mesh, at, {-0.8, y - side * 2.5, -25.0}, {0.8, y - side * 1.0, -0.8},
+             Material::kConcrete);
     }
   }
 }

@@ -34,11 +34,12 @@ class HouseRow {
  private:
   double setBack() { return random_.uniform(style_.nearest, style_.farthest); }
   double gap() {
-    return random_.chance(style_.gap_share) ? random_.uniform(3.0, 14.0) : random_.uniform(0.05, 1.5);
+    return random_.chance(style_.gap_share) ? random_.uniform(3.0, 14.0)
+                                            : random_.uniform(0.05, 1.5);
   }
 
-  bool tryHouse(const Road& road, const Polyline& line, std::size_t index, double side, double width,
-                double set_back) {
+  bool tryHouse(const Road& road, const Polyline& line, std::size_t index, double side,
+                double width, double set_back) {
     const double depth = random_.uniform(style_.shallowest, style_.deepest);
     const Eigen::Vector2d along = directionAt(line, index);
     const Eigen::Vector2d aside = side * Eigen::Vector2d(-along.y(), along.x());
@@ -74,9 +75,10 @@ void addSecondRow(Site& site, Random& random) {
   const Eigen::Vector2d size = near.high() - near.low();
   const int tries = static_cast<int>(size.prod() / 500.0);
   for (int k = 0; k < tries; ++k) {
-    const Eigen::Vector2d p = near.low() + Eigen::Vector2d(random.uniform(0.0, size.x()),
-                                                           random.uniform(0.0, size.y()));
-    Plot plot{{{p.x(), p.y(), 0.0}, random.uniform(-0.3, 0.3)}, random.uniform(1.5, 7.0),
+    const Eigen::Vector2d p =
+        near.low() + Eigen::Vector2d(random.uniform(0.0, size.x()), random.uniform(0.0, size.y()));
+    Plot plot{{{p.x(), p.y(), 0.0}, random.uniform(-0.3, 0.3)},
+              random.uniform(1.5, 7.0),
               random.uniform(1.5, 5.0)};
     if (!site.isFree(plot, 8.0)) continue;
     site.occupy(plot);

@@ -30,8 +30,8 @@ void addWheels(TriangleMesh& mesh, const Placement& at, const CarSize& size) {
     for (const double y : {-0.5, 0.5}) {
       const double side = y * size.width;
       const double inner = 0.86 * side;
-      addCylinder(mesh, at.at(x * size.length, inner, 0.31), at.at(x * size.length, side, 0.31), 0.31,
-                  0.31, 12, Material::kAsphalt);
+      addCylinder(mesh, at.at(x * size.length, inner, 0.31), at.at(x * size.length, side, 0.31),
+                  0.31, 0.31, 12, Material::kAsphalt);
     }
   }
 }
@@ -44,8 +44,8 @@ void addCabin(TriangleMesh& mesh, const Placement& at, const CarModel& model) {
   const double rear = 0.5 * (model.rear_window + model.tail);
   addQuad(mesh, low(model.hood, -1), low(model.hood, 1), high(model.windscreen, 1),
           high(model.windscreen, -1), Material::kGlass);
-  addQuad(mesh, low(rear, -1), low(rear, 1), high(model.rear_window, 1), high(model.rear_window, -1),
-          Material::kGlass);
+  addQuad(mesh, low(rear, -1), low(rear, 1), high(model.rear_window, 1),
+          high(model.rear_window, -1), Material::kGlass);
   addQuad(mesh, high(model.windscreen, -1), high(model.windscreen, 1), high(model.rear_window, 1),
           high(model.rear_window, -1), Material::kPaint);
   for (const double side : {-1.0, 1.0}) {
@@ -56,9 +56,13 @@ void addCabin(TriangleMesh& mesh, const Placement& at, const CarModel& model) {
 
 }  // namespace
 
-int carModelCount() { return static_cast<int>(kModels.size()); }
+int carModelCount() {
+  return static_cast<int>(kModels.size());
+}
 
-CarSize carSize(int model) { return kModels[static_cast<std::size_t>(model)].size; }
+CarSize carSize(int model) {
+  return kModels[static_cast<std::size_t>(model)].size;
+}
 
 void addCar(TriangleMesh& mesh, const Placement& at, int model) {
   const CarModel& car = kModels[static_cast<std::size_t>(model)];

@@ -38,14 +38,15 @@ void simulateDrive(const ScanSimulator& simulator, const Route& route, int count
     return next++;
   };
   const auto simulate = [&](int index) {
-    return Item{index, std::make_shared<const SimulatedScan>(simulator.simulate(scanStart(route, index)))};
+    return Item{index,
+                std::make_shared<const SimulatedScan>(simulator.simulate(scanStart(route, index)))};
   };
   const auto hand_over = [&](const Item& item) { consume(item.index, *item.scan); };
   arena.execute([&] {
-    tbb::parallel_pipeline(tokens,
-                           tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order, enumerate) &
-                               tbb::make_filter<int, Item>(tbb::filter_mode::parallel, simulate) &
-                               tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, hand_over));
+    tbb::parallel_pipeline(
+        tokens, tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order, enumerate) &
+                    tbb::make_filter<int, Item>(tbb::filter_mode::parallel, simulate) &
+                    tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, hand_over));
   });
 }
 

@@ -14,7 +14,8 @@ struct Panel {
   double x0, x1, z0, z1;
 };
 
-void addFlat(TriangleMesh& mesh, const Placement& wall, const Panel& p, double y, Material material) {
+void addFlat(TriangleMesh& mesh, const Placement& wall, const Panel& p, double y,
+             Material material) {
   addQuad(mesh, wall.at(p.x0, y, p.z0), wall.at(p.x1, y, p.z0), wall.at(p.x1, y, p.z1),
           wall.at(p.x0, y, p.z1), material);
 }
@@ -53,7 +54,8 @@ Panel windowIn(const Panel& panel, const FacadeStyle& style) {
   return {middle - half, middle + half, z0, std::min(z0 + style.window_height, panel.z1 - 0.2)};
 }
 
-void addDoor(TriangleMesh& mesh, const Placement& wall, const Panel& panel, const FacadeStyle& style) {
+void addDoor(TriangleMesh& mesh, const Placement& wall, const Panel& panel,
+             const FacadeStyle& style) {
   const double middle = 0.5 * (panel.x0 + panel.x1);
   const Panel hole{middle - 0.55, middle + 0.55, panel.z0, panel.z0 + 2.1};
   addOpening(mesh, wall, panel, hole, 0.35, style, Material::kPaint);
@@ -104,14 +106,17 @@ void addFacade(TriangleMesh& mesh, const Placement& wall, double width, double h
       if (k > 0 && balconies) addBalcony(mesh, front, panel, random);
     }
     if (protruding) {
-      addFlat(mesh, wall.moved(i * bay, 0.0, 0.0, 1.5707963), {0.0, forward, 0.0, height}, 0.0, style.wall);
-      addFlat(mesh, wall.moved((i + 1) * bay, 0.0, 0.0, 1.5707963), {0.0, forward, 0.0, height}, 0.0,
+      addFlat(mesh, wall.moved(i * bay, 0.0, 0.0, 1.5707963), {0.0, forward, 0.0, height}, 0.0,
               style.wall);
-      addBox(mesh, wall, {i * bay, 0.0, height - 0.1}, {(i + 1) * bay, forward, height}, Material::kRoof);
+      addFlat(mesh, wall.moved((i + 1) * bay, 0.0, 0.0, 1.5707963), {0.0, forward, 0.0, height},
+              0.0, style.wall);
+      addBox(mesh, wall, {i * bay, 0.0, height - 0.1}, {(i + 1) * bay, forward, height},
+             Material::kRoof);
     }
     addFlat(mesh, front, {i * bay, (i + 1) * bay, -kFoundation, 0.0}, 0.0, Material::kConcrete);
     if (random.chance(style.pilaster_share)) {
-      addBox(mesh, wall, {i * bay - 0.2, 0.0, -kFoundation}, {i * bay + 0.2, 0.18, height}, style.wall);
+      addBox(mesh, wall, {i * bay - 0.2, 0.0, -kFoundation}, {i * bay + 0.2, 0.18, height},
+             style.wall);
     }
   }
 }

@@ -13,13 +13,15 @@ constexpr double kClearOfRoute = 2.5;
 void addLamp(TriangleMesh& mesh, const Placement& at, Random& random) {
   const double height = random.uniform(4.5, 8.5);
   addCylinder(mesh, at.at(0, 0, -0.2), at.at(0, 0, height), 0.1, 0.06, 8, Material::kMetal);
-  addCylinder(mesh, at.at(0, 0, height), at.at(0, -1.4, height + 0.25), 0.04, 0.03, 5, Material::kMetal);
+  addCylinder(mesh, at.at(0, 0, height), at.at(0, -1.4, height + 0.25), 0.04, 0.03, 5,
+              Material::kMetal);
   addBox(mesh, at, {-0.15, -1.9, height + 0.15}, {0.15, -1.2, height + 0.3}, Material::kMetal);
 }
 
 void addSign(TriangleMesh& mesh, const Placement& at, Random& random) {
   const double height = random.uniform(1.9, 2.6), half = random.uniform(0.25, 0.45);
-  addCylinder(mesh, at.at(0, 0, -0.2), at.at(0, 0, height + half), 0.035, 0.035, 6, Material::kMetal);
+  addCylinder(mesh, at.at(0, 0, -0.2), at.at(0, 0, height + half), 0.035, 0.035, 6,
+              Material::kMetal);
   addBox(mesh, at, {-0.02, -half, height - half}, {0.0, half, height + half}, Material::kSignFace);
 }
 
@@ -34,7 +36,8 @@ void addBench(TriangleMesh& mesh, const Placement& at) {
 void addSteps(TriangleMesh& mesh, const Placement& at, Random& random) {
   const int steps = random.integer(3, 9);
   for (int k = 0; k < steps; ++k) {
-    addBox(mesh, at, {-1.5, 0.32 * k, -0.3}, {1.5, 0.32 * (steps + 4), 0.16 * (k + 1)}, Material::kConcrete);
+    addBox(mesh, at, {-1.5, 0.32 * k, -0.3}, {1.5, 0.32 * (steps + 4), 0.16 * (k + 1)},
+           Material::kConcrete);
   }
 }
 
@@ -43,7 +46,8 @@ void addFence(TriangleMesh& mesh, const Placement& at, double length, double hei
     addBox(mesh, at, {x - 0.05, -0.04, -0.3}, {x + 0.05, 0.04, height}, Material::kBark);
   }
   for (const double z : {0.3 * height, 0.85 * height}) {
-    addBox(mesh, at, {-0.5 * length, -0.03, z - 0.05}, {0.5 * length, 0.03, z + 0.05}, Material::kBark);
+    addBox(mesh, at, {-0.5 * length, -0.03, z - 0.05}, {0.5 * length, 0.03, z + 0.05},
+           Material::kBark);
   }
 }
 
@@ -54,7 +58,8 @@ void addEnclosure(Site& site, const Placement& at, double length, Random& random
   if (kind == 0) {
     addFence(mesh, at, length, height);
   } else if (kind == 1) {
-    addBox(mesh, at, {-0.5 * length, -0.12, -0.4}, {0.5 * length, 0.12, 0.8 * height}, Material::kBrick);
+    addBox(mesh, at, {-0.5 * length, -0.12, -0.4}, {0.5 * length, 0.12, 0.8 * height},
+           Material::kBrick);
   } else {
     for (double x = -0.5 * length; x <= 0.5 * length; x += 0.6) {
       addBush(mesh, at.at(x, random.uniform(-0.1, 0.1), 0.0), 0.6 * height, random);
@@ -92,8 +97,9 @@ void addParkedCars(Site& site, double share) {
   Random random(hashOf(site.layout().seed, 952));
   alongRoadsides(site, random, 6.4, -1.0, [&](const Placement& at) {
     const int model = random.integer(0, carModelCount() - 1);
-    const Placement place = at.moved(0.0, random.uniform(-0.1, 0.15), 0.0,
-                                     random.uniform(-0.04, 0.04) + (random.chance(0.5) ? 3.14159 : 0.0));
+    const Placement place =
+        at.moved(0.0, random.uniform(-0.1, 0.15), 0.0,
+                 random.uniform(-0.04, 0.04) + (random.chance(0.5) ? 3.14159 : 0.0));
     const CarSize size = carSize(model);
     const Plot plot{place, 0.5 * size.length + 0.3, 0.5 * size.width};
     if (!random.chance(share) || !site.isFree(plot, -2.3)) return;
@@ -133,8 +139,11 @@ void addFieldObjects(Site& site, double density) {
     site.occupy({at, 1.2, 1.2});
     const int kind = random.integer(0, 2);
     const double r = random.uniform(0.3, 0.8);
-    if (kind == 0) addBox(site.mesh(), at, {-r, -0.6 * r, -0.3}, {r, 0.6 * r, r}, Material::kConcrete);
-    if (kind == 1) addCylinder(site.mesh(), at.at(-0.6, 0, 0.6), at.at(0.6, 0, 0.6), 0.65, 0.65, 14, Material::kGrass);
+    if (kind == 0)
+      addBox(site.mesh(), at, {-r, -0.6 * r, -0.3}, {r, 0.6 * r, r}, Material::kConcrete);
+    if (kind == 1)
+      addCylinder(site.mesh(), at.at(-0.6, 0, 0.6), at.at(0.6, 0, 0.6), 0.65, 0.65, 14,
+                  Material::kGrass);
     if (kind == 2) addFence(site.mesh(), at, 12.0 * r, 1.2);
   }
 }

@@ -47,9 +47,10 @@ std::vector<GridNode> randomWalk(std::uint64_t seed, int edges) {
 }
 
 GridWalk bridgeTour(double block) {
-  return {{{-1, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}, {0, 0}, {0, -1}, {-1, -1}, {-1, 0}},
-          true,
-          block};
+  return {
+      {{-1, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0}, {0, 0}, {0, -1}, {-1, -1}, {-1, 0}},
+      true,
+      block};
 }
 
 }  // namespace
@@ -59,8 +60,19 @@ GridWalk makeWalk(const RouteConfig& config, double usual_block) {
   if (config.world == WorldKind::kBridge) return bridgeTour(usual_block);
   if (config.route == "loop" || config.route == "lateral") return ring(length, usual_block);
   if (config.route == "opposite") {
-    return closedWalk({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 0},
-                       {-1, 0}, {-1, -1}, {0, -1}, {0, 0}},
+    return closedWalk({{0, 0},
+                       {1, 0},
+                       {1, 1},
+                       {0, 1},
+                       {0, 0},
+                       {0, -1},
+                       {1, -1},
+                       {1, 0},
+                       {0, 0},
+                       {-1, 0},
+                       {-1, -1},
+                       {0, -1},
+                       {0, 0}},
                       8.5, length, usual_block);
   }
   if (config.route == "crossing") {

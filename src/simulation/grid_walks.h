@@ -8,8 +8,8 @@
 
 namespace revisit_slam::simulation {
 
-/// A way over the crossings of a street grid. A closed walk ends where it begins and is repeated; an
-/// open one is as long as the route.
+/// A way over the crossings of a street grid. A closed walk ends where it begins and is repeated;
+/// an open one is as long as the route.
 struct GridWalk {
   std::vector<GridNode> nodes;
   bool closed;

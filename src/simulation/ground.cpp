@@ -35,7 +35,8 @@ void addTile(Site& site, const Eigen::Vector2d& corner, double cell) {
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector2d p = corner + cell * Eigen::Vector2d(i + 0.5, j + 0.5);
       if (site.route().terrain().isWater(p.x(), p.y())) continue;
-      const std::uint32_t a = first + static_cast<std::uint32_t>(j) * width + static_cast<std::uint32_t>(i);
+      const std::uint32_t a =
+          first + static_cast<std::uint32_t>(j) * width + static_cast<std::uint32_t>(i);
       mesh.triangles.push_back({a, a + 1, a + width + 1});
       mesh.triangles.push_back({a, a + width + 1, a + width});
       mesh.materials.insert(mesh.materials.end(), 2, surfaceAt(site, p));

@@ -31,10 +31,10 @@ Layer halve(const Layer& fine) {
 }
 
 double between(const Eigen::ArrayXXd& coarse, long i, long j) {
-  const double x = std::clamp(0.5 * static_cast<double>(i) - 0.25, 0.0,
-                              static_cast<double>(coarse.rows() - 1));
-  const double y = std::clamp(0.5 * static_cast<double>(j) - 0.25, 0.0,
-                              static_cast<double>(coarse.cols() - 1));
+  const double x =
+      std::clamp(0.5 * static_cast<double>(i) - 0.25, 0.0, static_cast<double>(coarse.rows() - 1));
+  const double y =
+      std::clamp(0.5 * static_cast<double>(j) - 0.25, 0.0, static_cast<double>(coarse.cols() - 1));
   const long x0 = static_cast<long>(x), y0 = static_cast<long>(y);
   const long x1 = std::min(x0 + 1, coarse.rows() - 1), y1 = std::min(y0 + 1, coarse.cols() - 1);
   const double u = x - static_cast<double>(x0), v = y - static_cast<double>(y0);

@@ -82,8 +82,9 @@ void addHouse(TriangleMesh& mesh, const Plot& plot, double height, Random& rando
   const double side = l * random.uniform(0.3, 0.5);
   const double end = random.sign();
   addWing(mesh, {plot.centre.moved(0.0, -w + front, 0.0), l, front, height}, style, random);
-  addWing(mesh, {plot.centre.moved(end * (l - side), front, 0.0), side, w - front,
-                 height * random.uniform(0.5, 0.95)},
+  addWing(mesh,
+          {plot.centre.moved(end * (l - side), front, 0.0), side, w - front,
+           height * random.uniform(0.5, 0.95)},
           style, random);
 }
 

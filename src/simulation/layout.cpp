@@ -15,8 +15,8 @@ constexpr double kNodeJitter = 0.05;
 }  // namespace
 
 const std::vector<std::string>& worldNames() {
-  static const std::vector<std::string> names{"town", "bridge", "field", "campus", "ramp",
-                                              "corridor"};
+  static const std::vector<std::string> names{"town",   "bridge", "field",
+                                              "campus", "ramp",   "corridor"};
   return names;
 }
 
@@ -30,7 +30,9 @@ WorldKind worldKindOf(const std::string& name) {
   return static_cast<WorldKind>(found - names.begin());
 }
 
-std::string nameOf(WorldKind kind) { return worldNames()[static_cast<std::size_t>(kind)]; }
+std::string nameOf(WorldKind kind) {
+  return worldNames()[static_cast<std::size_t>(kind)];
+}
 
 double StreetGrid::jitter(int a, int b, std::uint64_t purpose) const {
   const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(a));
@@ -51,7 +53,9 @@ bool StreetGrid::hasStreetAlongI(GridNode node) const {
   return layout_.kind != WorldKind::kBridge || node.i != 0 || node.j == 0;
 }
 
-bool StreetGrid::hasStreetAlongJ(GridNode) const { return true; }
+bool StreetGrid::hasStreetAlongJ(GridNode) const {
+  return true;
+}
 
 bool StreetGrid::isBridge(GridNode a, GridNode b) const {
   return layout_.kind == WorldKind::kBridge && a.j == 0 && b.j == 0 && std::min(a.i, b.i) == 0 &&

@@ -50,6 +50,12 @@ double offsetAt(const RouteConfig& config, double lap, double arc) {
   return lane - config.lateral_offset * u * u * u * (u * (6.0 * u - 15.0) + 10.0);
 }
 
+/// Wider where a lap will be driven on the inner side of a corner.
+double cornerSigmaOf(const RouteConfig& config) {
+  const double inner = config.route == "lateral" ? 0.7 * config.lateral_offset : 0.0;
+  return cornerSigma(config.world) + inner;
+}
+
 void layOnGround(Polyline& path, const Terrain& terrain) {
   for (auto& p : path) p.z() = terrain.roadHeight(p.x(), p.y());
 }
@@ -57,7 +63,7 @@ void layOnGround(Polyline& path, const Terrain& terrain) {
 Route namedRoute(RouteConfig config) {
   if (config.length <= 0.0) config.length = kUsualLength;
   const RoutePattern pattern = makePattern(config);
-  Polyline path = roundedAndSampled(pattern.middle, cornerSigma(config.world));
+  Polyline path = roundedAndSampled(pattern.middle, cornerSigmaOf(config));
   const bool ramp = config.world == WorldKind::kRamp;
   if (!ramp) {
     path = movedRight(path, [&](double arc) { return offsetAt(config, pattern.lap, arc); });
@@ -110,9 +116,8 @@ Route recordedRoute(const RouteConfig& config) {
   const double length = config.length > 0.0 ? std::min(config.length, whole) : whole;
   path = shortened(path, length);
   layOnGround(path, *terrain);
-  SpeedProfile profile = config.speed > 0.0
-                             ? makeSpeedProfile(path, Route::kStep, limitsOf(config))
-                             : recordedProfile(moving, length, whole);
+  SpeedProfile profile = config.speed > 0.0 ? makeSpeedProfile(path, Route::kStep, limitsOf(config))
+                                            : recordedProfile(moving, length, whole);
   return Route(config, layout, std::move(terrain), std::move(path), std::move(profile));
 }
 
@@ -120,8 +125,10 @@ void requireValid(const RouteConfig& config) {
   const auto require = [](bool valid, const std::string& name, double value, const char* allowed) {
     if (!valid) throw ParameterError(name + " = " + std::to_string(value) + ": must be " + allowed);
   };
-  require(config.length >= 0.0 && std::isfinite(config.length), "length", config.length, "positive");
-  require(config.speed >= 0.0 && config.speed <= 40.0, "speed", config.speed, "within 0 and 40 m/s");
+  require(config.length >= 0.0 && std::isfinite(config.length), "length", config.length,
+          "positive");
+  require(config.speed >= 0.0 && config.speed <= 40.0, "speed", config.speed,
+          "within 0 and 40 m/s");
   require(config.lateral_offset >= 2.0 && config.lateral_offset <= 8.0, "lateral-offset",
           config.lateral_offset, "within 2 and 8 m");
 }

@@ -19,11 +19,13 @@ void addWay(TriangleMesh& mesh, const Polyline& way) {
     if (line[k].z() < 0.03) continue;
     const auto edge = [&](std::size_t i, double side, double up) -> Eigen::Vector3d {
       const Eigen::Vector2d along = directionAt(line, i);
-      return line[i] + Eigen::Vector3d(-along.y() * side * kHalfWay, along.x() * side * kHalfWay, up);
+      return line[i] +
+             Eigen::Vector3d(-along.y() * side * kHalfWay, along.x() * side * kHalfWay, up);
     };
-    addQuad(mesh, edge(k, -1, 0), edge(k + 1, -1, 0), edge(k + 1, 1, 0), edge(k, 1, 0), Material::kConcrete);
-    addQuad(mesh, edge(k, -1, -kSlab), edge(k + 1, -1, -kSlab), edge(k + 1, 1, -kSlab), edge(k, 1, -kSlab),
+    addQuad(mesh, edge(k, -1, 0), edge(k + 1, -1, 0), edge(k + 1, 1, 0), edge(k, 1, 0),
             Material::kConcrete);
+    addQuad(mesh, edge(k, -1, -kSlab), edge(k + 1, -1, -kSlab), edge(k + 1, 1, -kSlab),
+            edge(k, 1, -kSlab), Material::kConcrete);
     for (const double side : {-1.0, 1.0}) {
       const double top = line[k].z() > 0.4 ? kParapet : 0.1;
       addQuad(mesh, edge(k, side, -kSlab), edge(k + 1, side, -kSlab), edge(k + 1, side, top),
@@ -42,8 +44,10 @@ void addHelixColumns(TriangleMesh& mesh, const RampShape& shape) {
   for (int k = 0; k < 9; ++k) {
     const double angle = 0.35 + 0.698 * k;
     const double radius = 0.5 * (shape.up_radius + shape.down_radius);
-    const Eigen::Vector3d foot = centre + Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
-    addCylinder(mesh, foot, foot + Eigen::Vector3d(0, 0, shape.deckHeight()), 0.22, 0.22, 8, Material::kConcrete);
+    const Eigen::Vector3d foot =
+        centre + Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
+    addCylinder(mesh, foot, foot + Eigen::Vector3d(0, 0, shape.deckHeight()), 0.22, 0.22, 8,
+                Material::kConcrete);
   }
 }
 
@@ -56,8 +60,10 @@ void addUpperDeck(TriangleMesh& mesh, const RampShape& shape) {
   addBox(mesh, origin, {a.x(), a.y(), h}, {b.x(), a.y() + 0.2, h + kParapet}, Material::kConcrete);
   addBox(mesh, origin, {a.x(), b.y() - 0.2, h}, {b.x(), b.y(), h + kParapet}, Material::kConcrete);
   addBox(mesh, origin, {b.x() - 0.2, a.y(), h}, {b.x(), b.y(), h + kParapet}, Material::kConcrete);
-  addBox(mesh, origin, {a.x(), a.y(), h}, {a.x() + 0.2, gap_low, h + kParapet}, Material::kConcrete);
-  addBox(mesh, origin, {a.x(), gap_high, h}, {a.x() + 0.2, b.y(), h + kParapet}, Material::kConcrete);
+  addBox(mesh, origin, {a.x(), a.y(), h}, {a.x() + 0.2, gap_low, h + kParapet},
+         Material::kConcrete);
+  addBox(mesh, origin, {a.x(), gap_high, h}, {a.x() + 0.2, b.y(), h + kParapet},
+         Material::kConcrete);
   addBox(mesh, origin, {50.0, 18.0, h}, {56.0, 24.0, h + 3.0}, Material::kPlaster);
 }
 
@@ -65,8 +71,8 @@ void addColumns(Site& site, const RampShape& shape) {
   for (double x = shape.deck_low.x() + 4.0; x < shape.deck_high.x(); x += 8.0) {
     for (double y = shape.deck_low.y() + 3.0; y < shape.deck_high.y(); y += 8.0) {
       if (site.fromRoute({x, y}) < 2.2) continue;
-      addBox(site.mesh(), {{x, y, 0.0}, 0.0}, {-0.3, -0.3, -0.2}, {0.3, 0.3, shape.deckHeight() - kSlab},
-             Material::kConcrete);
+      addBox(site.mesh(), {{x, y, 0.0}, 0.0}, {-0.3, -0.3, -0.2},
+             {0.3, 0.3, shape.deckHeight() - kSlab}, Material::kConcrete);
     }
   }
 }
@@ -94,8 +100,11 @@ void addParkingDeck(Site& site) {
   addUpperDeck(site.mesh(), shape);
   addColumns(site, shape);
   addStandingCars(site, shape);
-  Plot building{{{0.5 * (shape.deck_high.x() - 24.0), 18.0, 0.0}, 0.0}, 62.0, 44.0};
-  site.occupy(building);
+  for (double x = -24.0; x < shape.deck_high.x(); x += 16.0) {
+    for (double y = shape.deck_low.y(); y < shape.deck_high.y(); y += 16.0) {
+      site.occupy({{{x + 8.0, y + 8.0, 0.0}, 0.0}, 8.0, 8.0});
+    }
+  }
 }
 
 }  // namespace revisit_slam::simulation

@@ -35,7 +35,9 @@ Polyline smoothed(const Polyline& line, double sigma_in_points) {
   const long last = static_cast<long>(line.size()) - 1;
   // Beyond an end the line goes on as its mirror image through that end.
   const auto at = [&](long i) -> Eigen::Vector3d {
-    const auto inside = [&](long k) { return line[static_cast<std::size_t>(std::clamp(k, 0L, last))]; };
+    const auto inside = [&](long k) {
+      return line[static_cast<std::size_t>(std::clamp(k, 0L, last))];
+    };
     if (i < 0) return 2.0 * line.front() - inside(-i);
     if (i > last) return 2.0 * line.back() - inside(2 * last - i);
     return inside(i);
@@ -50,7 +52,8 @@ Polyline smoothed(const Polyline& line, double sigma_in_points) {
   Polyline result(line.size());
   for (long i = 0; i <= last; ++i) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (long k = -reach; k <= reach; ++k) sum += kernel[static_cast<std::size_t>(k + reach)] * at(i + k);
+    for (long k = -reach; k <= reach; ++k)
+      sum += kernel[static_cast<std::size_t>(k + reach)] * at(i + k);
     result[static_cast<std::size_t>(i)] = sum / total;
   }
   return result;

@@ -24,7 +24,9 @@ Polyline helix(const RampShape& shape, double radius) {
   return line;
 }
 
-void append(Polyline& line, const Polyline& more) { line.insert(line.end(), more.begin(), more.end()); }
+void append(Polyline& line, const Polyline& more) {
+  line.insert(line.end(), more.begin(), more.end());
+}
 
 Polyline roundTheDeck(const RampShape& shape) {
   const double h = shape.deckHeight();
@@ -33,9 +35,9 @@ Polyline roundTheDeck(const RampShape& shape) {
 }
 
 Polyline belowTheDeck() {
-  return {{-60.0, -5.5, 0.0}, {-75.0, -18.0, 0.0}, {30.0, -24.0, 0.0}, {100.0, -24.0, 0.0},
-          {100.0, 44.0, 0.0}, {60.0, 46.0, 0.0},   {-40.0, 46.0, 0.0}, {-60.0, 30.0, 0.0},
-          {-60.0, 4.0, 0.0}};
+  return {{-60.0, -5.5, 0.0},  {-80.0, -5.5, 0.0}, {-80.0, -24.0, 0.0},
+          {100.0, -24.0, 0.0}, {100.0, 44.0, 0.0}, {60.0, 46.0, 0.0},
+          {-40.0, 46.0, 0.0},  {-60.0, 30.0, 0.0}, {-60.0, 4.0, 0.0}};
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace revisit_slam::simulation {
 
-/// A parking deck: the road passes below the upper deck, climbs a helix, goes around on the deck and
-/// returns by a wider helix beside the first. The levels lie above each other in xy. Metres.
+/// A parking deck: the road passes below the upper deck, climbs a helix, goes around on the deck
+/// and returns by a wider helix beside the first. The levels lie above each other in xy. Metres.
 struct RampShape {
   int turns = 2;
   double rise_per_turn = 3.6;

@@ -15,7 +15,9 @@ double latticeValue(std::uint64_t seed, double x, double y) {
   return 2.0 * unitFrom(hashOf(seed, i, j)) - 1.0;
 }
 
-double fade(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
+double fade(double t) {
+  return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+}
 
 }  // namespace
 
@@ -30,7 +32,9 @@ std::uint64_t hashOf(std::uint64_t seed, std::uint64_t a, std::uint64_t b, std::
   return mixBits(mixBits(mixBits(mixBits(seed) ^ a) ^ b) ^ c);
 }
 
-double unitFrom(std::uint64_t hash) { return static_cast<double>(hash >> 11) * 0x1.0p-53; }
+double unitFrom(std::uint64_t hash) {
+  return static_cast<double>(hash >> 11) * 0x1.0p-53;
+}
 
 double gaussianFrom(std::uint64_t hash) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - unitFrom(hash)));

@@ -33,7 +33,8 @@ RTCGeometry makeGeometry(RTCDevice device, const TriangleMesh& mesh) {
     throw std::runtime_error("no memory for a world of " + std::to_string(mesh.triangles.size()) +
                              " triangles");
   }
-  std::copy_n(mesh.vertices.front().data(), 3 * mesh.vertices.size(), static_cast<float*>(vertices));
+  std::copy_n(mesh.vertices.front().data(), 3 * mesh.vertices.size(),
+              static_cast<float*>(vertices));
   std::copy_n(mesh.triangles.front().data(), 3 * mesh.triangles.size(),
               static_cast<std::uint32_t*>(triangles));
   rtcCommitGeometry(geometry);
@@ -66,11 +67,12 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&& other) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&& other) noexcept = default;
 
-std::optional<RayHit> RayCaster::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                                      double max_range) const {
+std::optional<RayHit> RayCaster::cast(const Eigen::Vector3d& origin,
+                                      const Eigen::Vector3d& direction, double max_range) const {
   const Eigen::Vector3f o = origin.cast<float>(), d = direction.cast<float>();
   RTCRayHit query{};
-  query.ray = {o.x(), o.y(), o.z(), 0.0F, d.x(), d.y(), d.z(), 0.0F, static_cast<float>(max_range), ~0U, 0, 0};
+  query.ray = {o.x(), o.y(), o.z(), 0.0F, d.x(), d.y(), d.z(), 0.0F, static_cast<float>(max_range),
+               ~0U,   0,     0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -30,8 +30,8 @@ std::string truthLine(Stamp stamp, const Pose& T) {
   const auto& q = T.rotation;
   std::snprintf(line, sizeof(line),
                 "%" PRId64 ".%09" PRId64 " %.9f %.9f %.9f %.12f %.12f %.12f %.12f\n",
-                stamp.nanoseconds / kSecond, stamp.nanoseconds % kSecond, p.x(), p.y(), p.z(), q.x(),
-                q.y(), q.z(), q.w());
+                stamp.nanoseconds / kSecond, stamp.nanoseconds % kSecond, p.x(), p.y(), p.z(),
+                q.x(), q.y(), q.z(), q.w());
   return line;
 }
 
@@ -72,9 +72,9 @@ void writeReport(const std::string& path, const DriveReport& report) {
   }
   file << "  },\n  \"scans\": " << report.scans << ",\n  \"points\": " << report.points
        << ",\n  \"length\": " << report.length << ",\n  \"triangles\": " << report.triangles
-       << ",\n  \"moving_cars\": " << report.moving_cars << ",\n  \"start\": "
-       << report.start.nanoseconds << ",\n  \"end\": " << report.end.nanoseconds
-       << ",\n  \"revisits\": [\n";
+       << ",\n  \"moving_cars\": " << report.moving_cars
+       << ",\n  \"start\": " << report.start.nanoseconds
+       << ",\n  \"end\": " << report.end.nanoseconds << ",\n  \"revisits\": [\n";
   for (std::size_t i = 0; i < report.revisits.size(); ++i) {
     writeRevisit(file, report.revisits[i]);
     file << (i + 1 < report.revisits.size() ? ",\n" : "\n");

@@ -35,7 +35,8 @@ std::vector<Place> places(const Route& route) {
     const double arc = route.arcAt(t);
     if (arc < next) continue;
     next = arc + kStep;
-    result.push_back({arc, t, route.positionAt(arc), route.directionAt(arc).head<2>().normalized()});
+    result.push_back(
+        {arc, t, route.positionAt(arc), route.directionAt(arc).head<2>().normalized()});
   }
   return result;
 }
@@ -63,7 +64,9 @@ std::vector<const Place*> nearestOfEachPass(const std::vector<Place>& all, const
   for (const Place& earlier : all) {
     if (later.arc - earlier.arc <= kLeastMetres) break;
     if (!isRevisit(earlier, later)) continue;
-    const auto distance = [&](const Place& p) { return (p.position - later.position).squaredNorm(); };
+    const auto distance = [&](const Place& p) {
+      return (p.position - later.position).squaredNorm();
+    };
     if (earlier.arc - previous_arc > kLargestJump) {
       result.push_back(&earlier);
     } else if (distance(earlier) < distance(*result.back())) {

@@ -19,8 +19,7 @@ void RoadIndex::add(const Polyline& middle, double half_width) {
   for (const auto& p : middle) {
     const long i = static_cast<long>(std::floor(p.x() / kCellSize));
     const long j = static_cast<long>(std::floor(p.y() / kCellSize));
-    cells_[keyOf(i, j)].push_back(
-        {p.head<2>().cast<float>(), static_cast<float>(half_width)});
+    cells_[keyOf(i, j)].push_back({p.head<2>().cast<float>(), static_cast<float>(half_width)});
   }
 }
 

@@ -42,7 +42,8 @@ void addSideStreets(std::vector<Road>& roads, const Route& route) {
   main_road.add(roads.front().middle, 0.0);
   Random random(hashOf(route.layout().seed, 920));
   const Polyline middle = roads.front().middle;
-  for (double arc = 30.0; arc + 30.0 < route.length(); arc += kStubSpacing * random.uniform(0.6, 1.6)) {
+  for (double arc = 30.0; arc + 30.0 < route.length();
+       arc += kStubSpacing * random.uniform(0.6, 1.6)) {
     const auto k = static_cast<std::size_t>(arc / Route::kStep);
     if (k >= middle.size()) break;
     const Eigen::Vector2d along = directionAt(middle, k);

@@ -24,7 +24,8 @@ void alongRoadsides(Site& site, Random& random, double spacing, double offset, V
         const Eigen::Vector2d aside = side * Eigen::Vector2d(-along.y(), along.x());
         const Eigen::Vector2d p = line[k].head<2>() + (road.half_width + offset) * aside;
         if (!site.isNear(p)) continue;
-        visit(Placement{{p.x(), p.y(), site.ground(p)}, std::atan2(aside.y(), aside.x()) - kHalfPi});
+        visit(
+            Placement{{p.x(), p.y(), site.ground(p)}, std::atan2(aside.y(), aside.x()) - kHalfPi});
       }
     }
   }

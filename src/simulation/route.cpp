@@ -29,7 +29,9 @@ double Route::speedAt(Stamp stamp) const {
   return profile_.derivative(secondsBetween(config_.start, stamp)).value();
 }
 
-Eigen::Vector3d Route::directionAt(double arc) const { return path_.derivative(arc).normalized(); }
+Eigen::Vector3d Route::directionAt(double arc) const {
+  return path_.derivative(arc).normalized();
+}
 
 Pose Route::roadPose(double arc) const {
   const Eigen::Vector3d position = path_.value(arc);

@@ -41,7 +41,8 @@ void beginAtOrigin(RecordedRoute& route) {
 
 RecordedRoute readRoute(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw ParameterError("route = '" + path + "': neither a route's name nor a readable file");
+  if (!file)
+    throw ParameterError("route = '" + path + "': neither a route's name nor a readable file");
   RecordedRoute route;
   std::size_t number = 0, columns = 0;
   for (std::string line; std::getline(file, line);) {
@@ -50,7 +51,8 @@ RecordedRoute readRoute(const std::string& path) {
     const std::vector<double> row = numbersIn(line);
     if (columns == 0) columns = row.size();
     const bool known = row.size() == kTumColumns || row.size() == kKittiColumns;
-    const bool later = route.times.empty() || row.size() != kTumColumns || row[0] > route.times.back();
+    const bool later =
+        route.times.empty() || row.size() != kTumColumns || row[0] > route.times.back();
     if (!known || row.size() != columns || !later) {
       throw ParameterError("route = '" + path + "', line " + std::to_string(number) +
                            ": must be a TUM row of 8 numbers with increasing stamps or a KITTI row "
@@ -58,7 +60,8 @@ RecordedRoute readRoute(const std::string& path) {
     }
     addRow(route, row);
   }
-  if (route.times.size() < 2) throw ParameterError("route = '" + path + "': has fewer than two poses");
+  if (route.times.size() < 2)
+    throw ParameterError("route = '" + path + "': has fewer than two poses");
   beginAtOrigin(route);
   return route;
 }

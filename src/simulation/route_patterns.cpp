@@ -37,9 +37,9 @@ BlockSize blockSize(WorldKind kind) {
 
 void requireOffered(const RouteConfig& config) {
   const bool offered =
-      config.route == "tour" || (config.world == WorldKind::kBridge
-                                     ? config.route == "loop" || config.route == "out-and-back"
-                                     : config.world != WorldKind::kRamp);
+      config.route == "tour" ||
+      (config.world == WorldKind::kBridge ? config.route == "loop" || config.route == "out-and-back"
+                                          : config.world != WorldKind::kRamp);
   if (!offered) {
     throw ParameterError("route = '" + config.route + "': the world " + nameOf(config.world) +
                          " offers tour" +
@@ -72,14 +72,15 @@ Polyline withReturn(const Polyline& ahead, double radius) {
 
 RoutePattern outAndBack(const RouteConfig& config, Layout layout) {
   const double radius = 2.2 * cornerSigma(config.world);
-  const double half = 0.5 * (config.length - 8.0 * radius);
+  const double half = 0.5 * (config.length - 5.0 * radius);
   if (half < 20.0) {
     throw ParameterError("length = " + std::to_string(config.length) +
                          ": too short to drive out and back");
   }
   layout.bridge_length = std::max(120.0, half - 2.0 * layout.block);
   std::vector<GridNode> nodes{{-1, 0}};
-  for (int i = 0; i <= static_cast<int>(1.2 * half / layout.block) + 2; ++i) nodes.push_back({i, 0});
+  for (int i = 0; i <= static_cast<int>(1.2 * half / layout.block) + 2; ++i)
+    nodes.push_back({i, 0});
   const Polyline street = resampled(throughNodes(StreetGrid(layout), nodes), 1.0);
   return {layout, withReturn(shortened(street, half), radius), config.length};
 }
@@ -93,7 +94,7 @@ double cornerSigma(WorldKind kind) {
     case WorldKind::kCorridor:
       return 0.7;
     case WorldKind::kRamp:
-      return 2.0;
+      return 3.0;
     case WorldKind::kField:
       return 6.0;
     case WorldKind::kTown:

@@ -12,7 +12,8 @@ namespace {
 /// A sphere of this radius about a car contains it for the whole scan.
 constexpr double kCarRadius = 5.0;
 
-bool passes(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, const Eigen::Vector3d& centre) {
+bool passes(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+            const Eigen::Vector3d& centre) {
   const Eigen::Vector3d to_centre = centre - origin;
   const double along = to_centre.dot(direction);
   return along > -kCarRadius && to_centre.squaredNorm() - along * along < kCarRadius * kCarRadius;
@@ -20,8 +21,13 @@ bool passes(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, con
 
 }  // namespace
 
-ScanSimulator::ScanSimulator(const World& world, const Route& route, SensorModel sensor, ScanConfig config)
-    : world_(world), route_(route), sensor_(std::move(sensor)), config_(config), still_(world.still) {
+ScanSimulator::ScanSimulator(const World& world, const Route& route, SensorModel sensor,
+                             ScanConfig config)
+    : world_(world),
+      route_(route),
+      sensor_(std::move(sensor)),
+      config_(config),
+      still_(world.still) {
   for (const TriangleMesh& mesh : world.car_models) car_models_.emplace_back(mesh);
   if (sensor_.kind != SensorKind::kRosette) firings_ = firingsOf(sensor_, 0);
 }
@@ -32,12 +38,14 @@ std::vector<ScanSimulator::NearCar> ScanSimulator::carsAround(Stamp middle) cons
   for (const MovingCar& car : world_.cars) {
     if (!car.isPresent(middle)) continue;
     const Eigen::Vector3d centre = car.poseAt(middle).translation;
-    if ((centre - here).norm() < sensor_.max_range + 2.0 * kCarRadius) around.push_back({&car, centre});
+    if ((centre - here).norm() < sensor_.max_range + 2.0 * kCarRadius)
+      around.push_back({&car, centre});
   }
   return around;
 }
 
-std::optional<RayHit> ScanSimulator::firstHit(const Ray& ray, const std::vector<NearCar>& cars) const {
+std::optional<RayHit> ScanSimulator::firstHit(const Ray& ray,
+                                              const std::vector<NearCar>& cars) const {
   std::optional<RayHit> nearest = still_.cast(ray.origin, ray.direction, sensor_.max_range);
   for (const NearCar& near : cars) {
     if (!passes(ray.origin, ray.direction, near.centre)) continue;
@@ -60,19 +68,23 @@ void ScanSimulator::measure(const Firing& firing, const Ray& ray, std::uint64_t 
   const double range = hit->range + noise;
   if (range < sensor_.min_range || range > sensor_.max_range) return;
   result.scan.points.push_back(static_cast<float>(range) * firing.direction);
-  result.nanoseconds.push_back(config_.deskewed ? 0U : static_cast<std::uint32_t>(firing.nanoseconds));
+  result.nanoseconds.push_back(config_.deskewed ? 0U
+                                                : static_cast<std::uint32_t>(firing.nanoseconds));
   result.rings.push_back(firing.ring);
   result.intensities.push_back(intensityOf(*hit, hashOf(config_.seed, key, index, 3)));
 }
 
 SimulatedScan ScanSimulator::simulate(Stamp start) const {
   SimulatedScan result;
-  result.first = config_.deskewed ? Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds} : start;
+  result.first =
+      config_.deskewed ? Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds} : start;
   const std::int64_t since = start.nanoseconds - route_.start().nanoseconds;
   const auto scan_index = static_cast<std::uint64_t>(since / SensorModel::kPeriodNanoseconds);
-  const std::vector<Firing> own = firings_.empty() ? firingsOf(sensor_, scan_index) : std::vector<Firing>{};
+  const std::vector<Firing> own =
+      firings_.empty() ? firingsOf(sensor_, scan_index) : std::vector<Firing>{};
   const std::vector<Firing>& firings = firings_.empty() ? own : firings_;
-  const std::vector<NearCar> cars = carsAround(Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds / 2});
+  const std::vector<NearCar> cars =
+      carsAround(Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds / 2});
   Ray ray{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {-1}};
   Pose T_map_sensor;
   for (std::size_t i = 0; i < firings.size(); ++i) {
@@ -90,7 +102,8 @@ SimulatedScan ScanSimulator::simulate(Stamp start) const {
   result.scan.stamp = {result.first.nanoseconds + last};
   result.scan.T_base_sensor = config_.T_base_sensor;
   for (const std::uint32_t ns : result.nanoseconds) {
-    result.scan.times.push_back(static_cast<float>(1e-9 * (static_cast<double>(ns) - static_cast<double>(last))));
+    result.scan.times.push_back(
+        static_cast<float>(1e-9 * (static_cast<double>(ns) - static_cast<double>(last))));
   }
   return result;
 }

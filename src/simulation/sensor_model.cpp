@@ -37,8 +37,8 @@ SensorModel spinning(const std::string& name, std::vector<double> elevations, in
 }  // namespace
 
 const std::vector<std::string>& sensorNames() {
-  static const std::vector<std::string> names{"spinning-16", "spinning-64", "spinning-128", "rosette",
-                                              "narrow"};
+  static const std::vector<std::string> names{"spinning-16", "spinning-64", "spinning-128",
+                                              "rosette", "narrow"};
   return names;
 }
 

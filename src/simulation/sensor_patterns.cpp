@@ -46,8 +46,8 @@ std::vector<Firing> rosette(const SensorModel& sensor, std::uint64_t scan_index)
   std::vector<Firing> firings;
   firings.reserve(static_cast<std::size_t>(lines * sensor.columns));
   for (int column = 0; column < sensor.columns; ++column) {
-    const double time =
-        kPeriodSeconds * (static_cast<double>(scan_index) + static_cast<double>(column) / sensor.columns);
+    const double time = kPeriodSeconds * (static_cast<double>(scan_index) +
+                                          static_cast<double>(column) / sensor.columns);
     const double first = kTwoPi * std::fmod(kFirstPrismHertz * time, 1.0);
     const double second = kTwoPi * std::fmod(kSecondPrismHertz * time, 1.0);
     const double y = kPrism * (std::cos(first) + std::cos(second));
@@ -57,8 +57,9 @@ std::vector<Firing> rosette(const SensorModel& sensor, std::uint64_t scan_index)
       const double azimuth = y - aside * std::sin(first), elevation = z + aside * std::cos(first);
       const double angle = std::hypot(azimuth, elevation);
       const double scale = angle > 0.0 ? std::sin(angle) / angle : 1.0;
-      firings.push_back({Eigen::Vector3d(std::cos(angle), scale * azimuth, scale * elevation).cast<float>(),
-                         instant(column, sensor.columns), static_cast<std::uint16_t>(line)});
+      firings.push_back(
+          {Eigen::Vector3d(std::cos(angle), scale * azimuth, scale * elevation).cast<float>(),
+           instant(column, sensor.columns), static_cast<std::uint16_t>(line)});
     }
   }
   return firings;

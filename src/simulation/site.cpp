@@ -42,11 +42,15 @@ bool separates(const Plot& a, const Plot& b) {
   return false;
 }
 
-bool hasKerbs(WorldKind kind) { return kind == WorldKind::kTown || kind == WorldKind::kBridge; }
+bool hasKerbs(WorldKind kind) {
+  return kind == WorldKind::kTown || kind == WorldKind::kBridge;
+}
 
 }  // namespace
 
-bool overlap(const Plot& a, const Plot& b) { return !separates(a, b) && !separates(b, a); }
+bool overlap(const Plot& a, const Plot& b) {
+  return !separates(a, b) && !separates(b, a);
+}
 
 Site::Site(const Route& route) : route_(route), roads_(makeRoads(route)), near_(route.path()) {
   for (const Road& road : roads_) edges_.add(road.middle, road.half_width);
@@ -90,6 +94,8 @@ bool Site::isFree(const Plot& plot, double clearance) const {
   return !touchesOther(plot);
 }
 
-void Site::occupy(const Plot& plot) { plots_[keyAt(plot.centre.origin.head<2>(), 0, 0)].push_back(plot); }
+void Site::occupy(const Plot& plot) {
+  plots_[keyAt(plot.centre.origin.head<2>(), 0, 0)].push_back(plot);
+}
 
 }  // namespace revisit_slam::simulation

@@ -46,7 +46,9 @@ std::vector<std::size_t> stops(std::size_t count, double step, const SpeedLimits
 }
 
 void limitAcceleration(std::vector<double>& speeds, double step, double acceleration) {
-  const auto reachable = [&](double from) { return std::sqrt(from * from + 2.0 * acceleration * step); };
+  const auto reachable = [&](double from) {
+    return std::sqrt(from * from + 2.0 * acceleration * step);
+  };
   for (std::size_t i = 1; i < speeds.size(); ++i) {
     speeds[i] = std::min(speeds[i], reachable(speeds[i - 1]));
   }
@@ -62,7 +64,8 @@ SpeedProfile profileThrough(const std::vector<double>& times, const std::vector<
   std::size_t i = 0;
   for (double time = 0.0; time <= times.back(); time += kStep) {
     while (i + 2 < times.size() && times[i + 1] <= time) ++i;
-    const double u = std::clamp((time - times[i]) / std::max(times[i + 1] - times[i], 1e-9), 0.0, 1.0);
+    const double u =
+        std::clamp((time - times[i]) / std::max(times[i + 1] - times[i], 1e-9), 0.0, 1.0);
     samples.emplace_back(arcs[i] + u * (arcs[i + 1] - arcs[i]), 0.0, 0.0);
   }
   std::vector<SpeedProfile::Value> controls;

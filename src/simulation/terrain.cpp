@@ -61,6 +61,8 @@ double Terrain::height(double x, double y) const {
   return roadHeight(x, y) - riverDepth(x, y);
 }
 
-bool Terrain::isWater(double x, double y) const { return riverDepth(x, y) > kWaterDepth; }
+bool Terrain::isWater(double x, double y) const {
+  return riverDepth(x, y) > kWaterDepth;
+}
 
 }  // namespace revisit_slam::simulation

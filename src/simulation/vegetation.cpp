@@ -46,19 +46,22 @@ void addTree(TriangleMesh& mesh, const Eigen::Vector3d& root, double height, Ran
   const double clear = std::max(1.9, height * random.uniform(0.22, 0.4));
   const Eigen::Vector3d fork =
       root + Eigen::Vector3d(random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25), clear);
-  const Eigen::Vector3d top = fork + Eigen::Vector3d(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
-                                                     0.55 * (height - clear));
+  const Eigen::Vector3d top =
+      fork + Eigen::Vector3d(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
+                             0.55 * (height - clear));
   addCylinder(mesh, root, fork, 1.25 * radius, radius, 7, Material::kBark);
   addLimb(mesh, fork, top, radius);
   const double spread = height * random.uniform(0.16, 0.28);
   const int clusters = random.integer(4, 8);
   for (int k = 0; k < clusters; ++k) {
     const double angle = random.uniform(0.0, kTwoPi), reach = spread * random.uniform(0.2, 1.0);
-    const Eigen::Vector3d centre(root.x() + reach * std::cos(angle), root.y() + reach * std::sin(angle),
+    const Eigen::Vector3d centre(root.x() + reach * std::cos(angle),
+                                 root.y() + reach * std::sin(angle),
                                  root.z() + clear + (height - clear) * random.uniform(0.15, 0.85));
     const double size = spread * random.uniform(0.4, 0.75);
     addLimb(mesh, fork, centre, 0.5 * radius);
-    addCluster(mesh, centre, {size, size * random.uniform(0.7, 1.2), size * random.uniform(0.6, 0.95)},
+    addCluster(mesh, centre,
+               {size, size * random.uniform(0.7, 1.2), size * random.uniform(0.6, 0.95)},
                static_cast<int>(22.0 * size * size) + 14, random);
   }
 }
@@ -80,7 +83,8 @@ void addStreetTrees(Site& site, double spacing) {
         const auto k = static_cast<std::size_t>(arc);
         const Eigen::Vector2d along = directionAt(line, k);
         const double offset = side * (road.half_width + random.uniform(1.2, 1.7));
-        plant(site, line[k].head<2>() + offset * Eigen::Vector2d(-along.y(), along.x()), 0.3, 0.7, random);
+        plant(site, line[k].head<2>() + offset * Eigen::Vector2d(-along.y(), along.x()), 0.3, 0.7,
+              random);
       }
     }
   }

@@ -71,7 +71,9 @@ void fill(Site& site) {
   }
 }
 
-bool hasTraffic(WorldKind kind) { return kind == WorldKind::kTown || kind == WorldKind::kBridge; }
+bool hasTraffic(WorldKind kind) {
+  return kind == WorldKind::kTown || kind == WorldKind::kBridge;
+}
 
 }  // namespace
 

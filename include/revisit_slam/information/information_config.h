@@ -15,6 +15,9 @@ struct InformationConfig {
   int max_points = 400;
   double min_eigenvalue = 1e-3;
   double weak_ratio = 0.1;
+  double calibration = 1.0;
+  double deskew_share = 0.0;
+  int max_waiting = 10;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -30,6 +33,12 @@ struct InformationConfig {
     v("min_eigenvalue", min_eigenvalue, Range{1e-12, 1e3}, "", "smaller eigenvalues are raised to it");
     v("weak_ratio", weak_ratio, Range{0.0, 1.0}, "",
       "a direction is weak below this share of the largest eigenvalue of its block");
+    v("calibration", calibration, Range{1e-3, 1e6}, "",
+      "factor on the covariance of a registration, measured against ground truth");
+    v("deskew_share", deskew_share, Range{0.0, 10.0}, "",
+      "share of the prediction's errors that enters the covariance of a motion, measured likewise");
+    v("max_waiting", max_waiting, Range{1, 10000}, "scans",
+      "live: with more scans waiting the information of the scan before is repeated, and counted");
   }
 };
 

@@ -36,6 +36,8 @@ class InformationEstimator {
 
   InformationEstimate estimate(const RegistrationProblem& problem) const;
 
+  void setWeakRatio(double ratio) { config_.weak_ratio = ratio; }
+
  private:
   InformationConfig config_;
   std::vector<PerturbationDesign> designs_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "revisit_slam/core/parameters.h"
-#include "revisit_slam/core/registered_scan.h"
+#include "revisit_slam/core/informed_scan.h"
 #include "revisit_slam/core/scan_account.h"
 #include "revisit_slam/core/stage_times.h"
 #include "revisit_slam/io/trajectory.h"
@@ -34,17 +34,19 @@ class RunFolder {
 
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  /// Appends to odometry.tum and scan_times.csv.
-  void add(const RegisteredScan& scan, const StageTimes& times);
+  /// Appends to odometry.tum, odometry_information.csv and scan_times.csv.
+  void add(const InformedScan& informed, const StageTimes& times);
 
   /// Writes run.json, whole or not at all.
   void finish(const RunSummary& summary) const;
 
  private:
+  void writeInformation(const InformedScan& informed);
   void writeTimes(const RegisteredScan& scan, const StageTimes& times);
 
   std::string path_;
   TumWriter odometry_;
+  std::ofstream information_;
   std::ofstream scan_times_;
   std::vector<std::string> stages_;  // in the order of the first scan
   std::map<std::string, std::vector<double>> stage_ms_;

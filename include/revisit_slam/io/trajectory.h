@@ -19,7 +19,10 @@ struct StampedPose {
 
 using Trajectory = std::vector<StampedPose>;
 
-/// One TUM line: stamp in seconds with all nine decimals, tx ty tz qx qy qz qw.
+/// Seconds with all nine decimals.
+std::string stampText(Stamp stamp);
+
+/// One TUM line: stamp, tx ty tz qx qy qz qw.
 void writeTumLine(std::ostream& out, const StampedPose& pose);
 
 /// @throws std::runtime_error naming the file, and the line where one cannot be read.

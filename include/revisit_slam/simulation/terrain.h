@@ -22,8 +22,8 @@ class HeightGrid {
   Eigen::ArrayXXd heights_;
 };
 
-/// The shape of the land without roughness, kerbs and structures: twice continuously differentiable.
-/// Metres in the map frame.
+/// The shape of the land without roughness, kerbs and structures: twice continuously
+/// differentiable. Metres in the map frame.
 class Terrain {
  public:
   explicit Terrain(const Layout& layout) : layout_(layout) {}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/pose.h"
+#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/information/information_config.h"
+#include "revisit_slam/information/information_estimator.h"
+
+namespace revisit_slam {
+
+/// Covariance of the motion from one scan to the next, for right perturbations in the base frame:
+///
+///   Sigma = s * Lambda^-1 + k^2 * diag(E[u^2])
+///
+/// The first term is that of the registration: the information has the unit of the objective, and
+/// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the mean
+/// squared residual at the solution. The second term is that of deskewing: what the constant-velocity
+/// prediction missed of a motion, u, bent the scan by as much from its first point to its last, and
+/// moves its pose by a share k of it, whatever the geometry. E[u^2] is a running mean.
+/// Both factors were measured against ground truth (docs/information.md).
+class MotionCovariance {
+ public:
+  explicit MotionCovariance(const InformationConfig& config) { reconfigure(config); }
+
+  /// Takes the prediction error of the next scan into the running mean.
+  void observe(const Tangent& prediction_error);
+
+  Matrix6 of(const InformationEstimate& estimate) const;
+
+  void reconfigure(const InformationConfig& config);
+
+ private:
+  double calibration_;
+  double deskew_share_;
+  Tangent mean_squared_prediction_error_ = Tangent::Zero();
+};
+
+/// Covariance of the pose in the odometry frame, as it grows with every motion: right perturbations
+/// of T_odom_base, [translation; rotation] in the base frame.
+class PoseCovariance {
+ public:
+  /// `T_previous_current`: the motion; `covariance_motion`: in the current base frame.
+  void move(const Pose& T_previous_current, const Matrix6& covariance_motion);
+  const Matrix6& base() const { return covariance_; }
+
+ private:
+  Matrix6 covariance_ = Matrix6::Zero();
+};
+
+/// Right perturbations in the base frame turned into the axes of the frame that the pose is given
+/// in, as ROS messages have them: (x, y, z, rotation about X, Y, Z).
+Matrix6 inFixedAxes(const Matrix6& covariance_base, const Pose& T_fixed_base);
+
+}  // namespace revisit_slam

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/loops/density_image.h"
+
+namespace revisit_slam {
+
+/// 256 binary comparisons around a pixel (ORB).
+using Descriptor = std::array<std::uint64_t, 4>;
+
+/// A point of the grid of a level frame; ORB's corners in one octave lie on whole pixels.
+struct FeaturePixel {
+  std::int16_t i = 0;
+  std::int16_t j = 0;
+
+  Eigen::Vector2d centre() const { return {i + 0.5, j + 0.5}; }  ///< in pixels
+};
+
+/// What place recognition keeps of a local map: 36 bytes a feature.
+struct PlaceFeatures {
+  std::vector<Descriptor> descriptors;
+  std::vector<FeaturePixel> pixels;
+
+  std::size_t size() const { return descriptors.size(); }
+  std::size_t bytes() const { return size() * (sizeof(Descriptor) + sizeof(FeaturePixel)); }
+};
+
+/// ORB features that are unlike all others of their own image, strongest first. None for an image
+/// that is too small or empty.
+PlaceFeatures extractPlaceFeatures(const DensityImage& image, const PlaceFeaturesConfig& config);
+
+}  // namespace revisit_slam

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/core/submap.h"
+#include "revisit_slam/loops/hausdorff.h"
+
+namespace revisit_slam {
+
+struct AssociationConfig {
+  double max_hausdorff = 100.0;
+  double max_gap = 40.0;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("max_hausdorff", max_hausdorff, Range{0.0, 10000.0}, "m",
+      "tau_H, largest Hausdorff distance of trajectories that are compared");
+    v("max_gap", max_gap, Range{0.0, 10000.0}, "m",
+      "trajectories that stay farther apart see too little of the same to be compared");
+  }
+};
+
+/// A submap and where it is, in a frame that all submaps compared share: that of the target local map
+/// (appearance), or the map (retroactive).
+struct PlacedSubmap {
+  SubmapPtr submap;
+  Pose T_common_submap;
+};
+
+/// The submaps of a local map as the odometry placed them, with the local map at `T_common_local`.
+std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local);
+
+/// The trajectory of a submap in the common frame.
+Path pathOf(const PlacedSubmap& placed);
+
+/// Indices into the lists of sources (k) and targets (r).
+struct SubmapPair {
+  std::size_t source;
+  std::size_t target;
+  double hausdorff;  ///< m
+};
+
+/// Z_ij (paper Sec. III-C): for each source submap the target submap of the smallest Hausdorff
+/// distance, where that is at most tau_H; of equally near ones the first. Opposite directions of
+/// travel associate like equal ones.
+std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
+                                  const std::vector<PlacedSubmap>& targets,
+                                  const AssociationConfig& config);
+
+}  // namespace revisit_slam

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/submap.h"
+#include "revisit_slam/mapping/mapping_config.h"
+#include "revisit_slam/mapping/voxel_mean_grid.h"
+
+namespace revisit_slam {
+
+/// How far a trajectory went since its first pose.
+class Travel {
+ public:
+  void start(const Pose& T_odom_base);
+  void go(const Pose& T_odom_base);
+  /// Whether a map that went this far must end before a scan at `T_odom_base`.
+  bool exceeds(const MapSplitConfig& split, const Pose& T_odom_base) const;
+
+ private:
+  Eigen::Vector3d start_odom_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d last_odom_ = Eigen::Vector3d::Zero();
+  double path_length_ = 0.0;
+};
+
+/// The one submap that is being built (paper Sec. III-C).
+class SubmapBuilder {
+ public:
+  explicit SubmapBuilder(double voxel_size) : grid_(voxel_size) {}
+
+  bool empty() const { return submap_.T_submap_scan.empty(); }
+  ScanId firstScan() const { return submap_.first_scan; }
+  const Travel& travel() const { return travel_; }
+
+  /// The first scan gives the keypose; ids follow each other without gaps.
+  void insert(ScanId id, Stamp stamp, const Pose& T_odom_base, const Points& points_base);
+
+  /// The submap as it is now, with its normals; the builder is empty afterwards. Runs in the
+  /// current TBB arena.
+  Submap close(SubmapId id, LocalMapId local_map);
+
+ private:
+  Submap submap_;
+  Travel travel_;
+  VoxelMeanGrid grid_;
+};
+
+}  // namespace revisit_slam

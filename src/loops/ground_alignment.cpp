@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/ground_alignment.h"
+
+#include <tsl/robin_map.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "revisit_slam/geometry/voxel.h"
+
+namespace revisit_slam {
+namespace {
+
+using Ground = std::vector<Eigen::Vector3d>;
+
+constexpr double kColumn = 1.0;         // m
+constexpr std::size_t kMinColumns = 10;
+constexpr double kCoarsestScale = 8.0;  // m, above which a column counts little
+constexpr double kFinestScale = 0.5;    // m
+constexpr double kFarthest = 1e5;       // m; no map is as large
+
+/// The lowest point of each column, in the level frame.
+Ground lowestPoints(const Points& points_local, const Pose& T_level_local) {
+  Ground lowest;
+  tsl::robin_map<std::uint64_t, std::size_t, VoxelKeyHash> columns;
+  for (const Eigen::Vector3f& point : points_local) {
+    const Eigen::Vector3d p = T_level_local * point.cast<double>();
+    if (!(p.lpNorm<Eigen::Infinity>() < kFarthest)) continue;  // not a number: neither
+    const Voxel column(floorToInt(p.x() / kColumn), floorToInt(p.y() / kColumn), 0);
+    const auto [entry, is_new] = columns.try_emplace(packVoxel(column), lowest.size());
+    if (is_new)
+      lowest.push_back(p);
+    else if (p.z() < lowest[entry->second].z())
+      lowest[entry->second] = p;
+  }
+  return lowest;
+}
+
+/// z = a + b x + c y.
+struct Plane {
+  double a = 0.0, b = 0.0, c = 0.0;
+
+  double heightAbove(const Eigen::Vector3d& p) const { return p.z() - (a + b * p.x() + c * p.y()); }
+};
+
+double medianHeight(Ground ground) {
+  const auto middle = ground.begin() + static_cast<std::ptrdiff_t>(ground.size() / 2);
+  std::nth_element(ground.begin(), middle, ground.end(),
+                   [](const auto& p, const auto& q) { return p.z() < q.z(); });
+  return middle->z();
+}
+
+/// One step of iteratively reweighted least squares with the Geman-McClure kernel.
+Plane refit(const Plane& plane, const Ground& ground, double scale) {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : ground) {
+    const double ratio = plane.heightAbove(p) / scale;
+    const double weight = 1.0 / ((1.0 + ratio * ratio) * (1.0 + ratio * ratio));
+    const Eigen::Vector3d J(1.0, p.x(), p.y());
+    H += weight * J * J.transpose();
+    g += weight * J * p.z();
+  }
+  H.diagonal() += Eigen::Vector3d(1e-9, 1e-6, 1e-6) * H(0, 0);  // columns in a line: no slope across
+  const Eigen::Vector3d solution = H.ldlt().solve(g);
+  return {solution[0], solution[1], solution[2]};
+}
+
+/// From a wide kernel to a narrow one, so that a wrong start does not decide what is ground.
+Plane fitPlane(const Ground& ground) {
+  Plane plane{medianHeight(ground)};
+  for (double scale = kCoarsestScale; scale >= kFinestScale; scale *= 0.5)
+    for (int i = 0; i < 5; ++i) plane = refit(plane, ground, scale);
+  return plane;
+}
+
+/// The pose that makes a plane z = 0 and moves the origin along z only.
+Pose levelling(const Plane& plane) {
+  const Eigen::Vector3d normal = Eigen::Vector3d(-plane.b, -plane.c, 1.0).normalized();
+  const auto rotation = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
+  return {rotation, {0.0, 0.0, -normal.z() * plane.a}};
+}
+
+}  // namespace
+
+Pose levelOnGround(const Points& points_local) {
+  Pose T_level_local;
+  for (int i = 0; i < 3; ++i) {  // once level, the columns hold other points
+    const Ground ground = lowestPoints(points_local, T_level_local);
+    if (ground.size() < kMinColumns) return {};
+    T_level_local = levelling(fitPlane(ground)) * T_level_local;
+  }
+  const Eigen::Vector3d up = T_level_local.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+  const auto without_yaw = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());
+  return {without_yaw, T_level_local.translation};
+}
+
+}  // namespace revisit_slam

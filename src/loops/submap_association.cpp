@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/submap_association.h"
+
+#include <utility>
+
+namespace revisit_slam {
+namespace {
+
+std::vector<Path> pathsOf(const std::vector<PlacedSubmap>& submaps) {
+  std::vector<Path> paths;
+  for (const PlacedSubmap& placed : submaps) paths.push_back(pathOf(placed));
+  return paths;
+}
+
+}  // namespace
+
+std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local) {
+  const Pose T_common_odom = T_common_local * map.T_odom_local().inverse();
+  std::vector<PlacedSubmap> placed;
+  for (const SubmapPtr& submap : map.submaps)
+    placed.push_back({submap, T_common_odom * submap->T_odom_submap});
+  return placed;
+}
+
+Path pathOf(const PlacedSubmap& placed) {
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(placed.submap->T_submap_scan.size());
+  const Eigen::Matrix3d R = placed.T_common_submap.rotationMatrix();
+  for (const Pose& T_submap_scan : placed.submap->T_submap_scan)
+    positions.push_back(R * T_submap_scan.translation + placed.T_common_submap.translation);
+  return Path(std::move(positions));
+}
+
+std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
+                                  const std::vector<PlacedSubmap>& targets,
+                                  const AssociationConfig& config) {
+  const std::vector<Path> source_paths = pathsOf(sources), target_paths = pathsOf(targets);
+  std::vector<SubmapPair> pairs;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    SubmapPair best{k, targets.size(), config.max_hausdorff};
+    for (std::size_t r = 0; r < targets.size(); ++r) {
+      const double d = hausdorffDistance(source_paths[k], target_paths[r], best.hausdorff);
+      const bool first_found = best.target == targets.size() && d <= best.hausdorff;
+      if (first_found || d < best.hausdorff) best = {k, r, d};
+    }
+    if (best.target == targets.size()) continue;
+    if (comeWithin(source_paths[k], target_paths[best.target], config.max_gap))
+      pairs.push_back(best);
+  }
+  return pairs;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/mapping/submap_builder.h"
+
+#include <utility>
+
+#include "revisit_slam/mapping/normals.h"
+
+namespace revisit_slam {
+
+void Travel::start(const Pose& T_odom_base) {
+  start_odom_ = last_odom_ = T_odom_base.translation;
+  path_length_ = 0.0;
+}
+
+void Travel::go(const Pose& T_odom_base) {
+  path_length_ += (T_odom_base.translation - last_odom_).norm();
+  last_odom_ = T_odom_base.translation;
+}
+
+bool Travel::exceeds(const MapSplitConfig& split, const Pose& T_odom_base) const {
+  const Eigen::Vector3d& p = T_odom_base.translation;
+  return (p - start_odom_).norm() > split.displacement ||
+         path_length_ + (p - last_odom_).norm() > split.path_length;
+}
+
+void SubmapBuilder::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
+                           const Points& points_base) {
+  if (empty()) {
+    submap_.first_scan = id;
+    submap_.T_odom_submap = T_odom_base;
+    travel_.start(T_odom_base);
+  }
+  travel_.go(T_odom_base);
+  const Pose T_submap_scan =
+      empty() ? Pose::identity() : submap_.T_odom_submap.inverse() * T_odom_base;
+  submap_.T_submap_scan.push_back(T_submap_scan);
+  submap_.stamps.push_back(stamp);
+  grid_.insert(points_base, T_submap_scan);
+}
+
+Submap SubmapBuilder::close(SubmapId id, LocalMapId local_map) {
+  VoxelMeans means = grid_.take();
+  Submap closed = std::exchange(submap_, {});
+  closed.id = id;
+  closed.local_map = local_map;
+  closed.T_submap_scan.shrink_to_fit();
+  closed.stamps.shrink_to_fit();
+  closed.normals = estimateNormals(means);
+  closed.points = std::move(means.points);
+  return closed;
+}
+
+}  // namespace revisit_slam
