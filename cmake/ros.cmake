@@ -3,7 +3,7 @@ find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib rosbag roscpp
   sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
-generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg)
+generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg cfg/LiveInformation.cfg)
 
 catkin_package(
   INCLUDE_DIRS include

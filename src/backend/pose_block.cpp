@@ -10,9 +10,9 @@ using RowMajor = Eigen::Matrix<double, rows, cols, Eigen::RowMajor>;
 /// The 4x3 matrix D(q) with q * (w/2, 0) = D(q) w, coefficients x y z w; D^T D = I/4.
 RowMajor<4, 3> quaternionPlusJacobian(const Eigen::Quaterniond& q) {
   RowMajor<4, 3> D;
-  D << q.w(), -q.z(), q.y(),   //
-      q.z(), q.w(), -q.x(),    //
-      -q.y(), q.x(), q.w(),    //
+  D << q.w(), -q.z(), q.y(),  //
+      q.z(), q.w(), -q.x(),   //
+      -q.y(), q.x(), q.w(),   //
       -q.x(), -q.y(), -q.z();
   return 0.5 * D;
 }

@@ -13,12 +13,12 @@ void GemanMcClureLoss::Evaluate(double squared_norm, double rho[3]) const {
   rho[2] = -2.0 * rho[1] * inverse;
 }
 
-std::unique_ptr<ceres::LossFunction> makeKernel(const std::string& name, double scale) {
-  if (name == "none") return nullptr;
-  if (name == "huber") return std::make_unique<ceres::HuberLoss>(scale);
-  if (name == "cauchy") return std::make_unique<ceres::CauchyLoss>(scale);
-  if (name == "geman_mcclure") return std::make_unique<GemanMcClureLoss>(scale);
-  throw std::invalid_argument("there is no robust kernel '" + name + "'");
+std::unique_ptr<ceres::LossFunction> makeLoss(const RobustKernel& kernel) {
+  if (kernel.name == "none") return nullptr;
+  if (kernel.name == "huber") return std::make_unique<ceres::HuberLoss>(kernel.scale);
+  if (kernel.name == "cauchy") return std::make_unique<ceres::CauchyLoss>(kernel.scale);
+  if (kernel.name == "geman_mcclure") return std::make_unique<GemanMcClureLoss>(kernel.scale);
+  throw std::invalid_argument("there is no robust kernel '" + kernel.name + "'");
 }
 
 }  // namespace revisit_slam

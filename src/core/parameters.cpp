@@ -2,6 +2,7 @@
 #include "revisit_slam/core/parameters.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -15,7 +16,7 @@ std::string numberText(double value) {
     std::ostringstream text;
     text.precision(digits);
     text << value;
-    if (digits >= 17 || std::stod(text.str()) == value) return text.str();
+    if (digits >= 17 || std::strtod(text.str().c_str(), nullptr) == value) return text.str();
   }
 }
 
@@ -85,17 +86,16 @@ const char* typeName() {
                        allowed);
 }
 
-bool allowed(const Parameter& parameter) {
-  if (const auto* text = std::get_if<std::string*>(&parameter.value)) {
+template <typename T>
+bool allowed(const Parameter& parameter, const T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
     const Choices& choices = parameter.choices;
-    return choices.empty() || std::find(choices.begin(), choices.end(), **text) != choices.end();
+    return choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end();
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return true;
+  } else {  // false for NaN
+    return value >= parameter.range.lowest && value <= parameter.range.highest;
   }
-  const auto within = [&](double number) {  // false for NaN
-    return number >= parameter.range.lowest && number <= parameter.range.highest;
-  };
-  if (const auto* number = std::get_if<int*>(&parameter.value)) return within(**number);
-  if (const auto* number = std::get_if<double*>(&parameter.value)) return within(**number);
-  return true;
 }
 
 }  // namespace
@@ -147,16 +147,18 @@ void assign(const std::vector<Parameter>& parameters, const std::vector<NamedTex
           using T = std::remove_pointer_t<decltype(target)>;
           const std::optional<T> value = parse<T>(text);
           if (!value) refuse(parameter, text, typeName<T>());
+          if (!allowed(parameter, *value)) refuse(parameter, text, allowedText(parameter));
           *target = *value;
         },
         parameter.value);
   }
-  check(parameters);
 }
 
 void check(const std::vector<Parameter>& parameters) {
-  for (const Parameter& parameter : parameters)
-    if (!allowed(parameter)) refuse(parameter, valueText(parameter), allowedText(parameter));
+  for (const Parameter& parameter : parameters) {
+    const bool ok = std::visit([&](auto* value) { return allowed(parameter, *value); }, parameter.value);
+    if (!ok) refuse(parameter, valueText(parameter), allowedText(parameter));
+  }
 }
 
 std::string valueText(const Parameter& parameter) {

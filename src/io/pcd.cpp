@@ -16,8 +16,11 @@ void writePcd(const std::string& path, const Points& points) {
   cloud.reserve(points.size());
   for (const Eigen::Vector3f& point : points) cloud.push_back({point.x(), point.y(), point.z()});
   writeWholeFile(path, [&](const std::string& temporary) {
-    if (pcl::PCDWriter().writeBinary(temporary, cloud) != 0)
-      throw std::runtime_error("cannot write '" + path + "'");
+    try {
+      if (pcl::PCDWriter().writeBinary(temporary, cloud) == 0) return;
+    } catch (const pcl::IOException&) {
+    }
+    throw std::runtime_error("cannot write '" + path + "'");
   });
 }
 

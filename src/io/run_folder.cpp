@@ -70,7 +70,7 @@ void RunFolder::writeInformation(const InformedScan& informed) {
   for (const Matrix6* matrix : {&informed.estimate.information, &informed.covariance_motion})
     for (int row = 0; row < 6; ++row)
       for (int column = row; column < 6; ++column) information_ << "," << (*matrix)(row, column);
-  information_ << "\n";
+  endLine(information_, "odometry_information.csv");
 }
 
 void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) {
@@ -90,7 +90,12 @@ void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) 
     total += ms;
   }
   stage_ms_["total"].push_back(total);
-  scan_times_ << "," << total << "\n";
+  scan_times_ << "," << total;
+  endLine(scan_times_, "scan_times.csv");
+}
+
+void RunFolder::endLine(std::ofstream& stream, const std::string& name) const {
+  if (!(stream << std::endl)) throw std::runtime_error("cannot write '" + file(name) + "'");
 }
 
 void RunFolder::finish(const RunSummary& summary) const {

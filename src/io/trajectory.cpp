@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/trajectory.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,16 +17,34 @@ namespace {
 }
 
 /// Decimal seconds to nanoseconds, digit by digit: a double has no room for nanoseconds since 1970.
-Stamp parseStamp(const std::string& text) {
-  const std::size_t point = text.find('.');
-  if (point == std::string::npos || text.find_first_of("eE") != std::string::npos)
-    return Stamp::fromSeconds(std::stod(text));
-  std::string fraction = text.substr(point + 1, 9);
-  fraction.resize(9, '0');
-  const std::int64_t seconds = std::stoll(text.substr(0, point));
-  const std::int64_t nanoseconds = std::stoll(fraction);
-  const bool negative = text.front() == '-';
-  return {seconds * 1'000'000'000 + (negative ? -nanoseconds : nanoseconds)};
+std::optional<Stamp> parseStamp(const std::string& text) {
+  static const std::regex decimal("([+-]?)([0-9]{1,9}|1[0-9]{9}|[2-8][0-9]{9})(?:\\.([0-9]*))?");
+  std::smatch parts;
+  if (std::regex_match(text, parts, decimal)) {
+    std::string fraction = parts[3].str().substr(0, 9);
+    fraction.resize(9, '0');
+    const std::int64_t nanoseconds = std::stoll(parts[2]) * 1'000'000'000 + std::stoll(fraction);
+    return Stamp{parts[1] == "-" ? -nanoseconds : nanoseconds};
+  }
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);  // "1.7e9"
+  if (end == text.c_str() || *end != '\0' || !(std::abs(seconds) < 9e9)) return std::nullopt;
+  return Stamp::fromSeconds(seconds);
+}
+
+/// A line of a TUM file, if it is one.
+std::optional<StampedPose> parseTumLine(const std::string& line) {
+  std::istringstream fields(line);
+  std::string stamp_text;
+  StampedPose pose;
+  auto& [q, t] = pose.T_world_base;
+  if (!(fields >> stamp_text >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w()))
+    return std::nullopt;
+  const std::optional<Stamp> stamp = parseStamp(stamp_text);
+  if (!stamp || q.norm() == 0.0) return std::nullopt;
+  pose.stamp = *stamp;
+  q.normalize();
+  return pose;
 }
 
 }  // namespace
@@ -52,16 +73,11 @@ Trajectory readTum(const std::string& path) {
   Trajectory trajectory;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream fields(line);
-    std::string stamp;
-    StampedPose pose;
-    auto& [q, t] = pose.T_world_base;
-    if (!(fields >> stamp >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w()))
-      fail("line " + std::to_string(number) + " has no stamp and seven numbers in", path);
-    pose.stamp = parseStamp(stamp);
-    q.normalize();
-    trajectory.push_back(pose);
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+    const std::optional<StampedPose> pose = parseTumLine(line);
+    if (!pose)
+      fail("line " + std::to_string(number) + " is not a stamp, a position and a quaternion in", path);
+    trajectory.push_back(*pose);
   }
   return trajectory;
 }

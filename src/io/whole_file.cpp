@@ -24,7 +24,12 @@ bool handToDisk(const std::string& path) {
 void writeWholeFile(const std::string& path,
                     const std::function<void(const std::string& temporary)>& write) {
   const std::string temporary = path + ".part";
-  write(temporary);
+  try {
+    write(temporary);
+  } catch (...) {
+    std::remove(temporary.c_str());
+    throw;
+  }
   if (!handToDisk(temporary) || std::rename(temporary.c_str(), path.c_str()) != 0)
     throw std::runtime_error("cannot write '" + path + "'");
 }

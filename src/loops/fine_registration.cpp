@@ -2,6 +2,7 @@
 #include "revisit_slam/loops/fine_registration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "revisit_slam/geometry/chunks.h"
@@ -17,12 +18,16 @@ constexpr double kScale = 1.0 / 5.0;
 /// A point without a plane says less about where it is than its distance does: its mean depends on
 /// where the rays fell.
 constexpr double kPointWeight = 0.1;
-/// Coarse levels need not settle as well as the finest.
-constexpr double kCoarseConvergence = 10.0;
+/// With fewer voxels of one direction nothing is said about it.
+constexpr std::size_t kFewestForCoherence = 50;
+/// A coarse level ends when its step is below this part of its reach: the next one goes on.
+constexpr double kCoarseConvergence = 4e-4;
 
 /// A transform in the precision of the points.
 struct FloatPose {
   explicit FloatPose(const Pose& T) : R(T.rotationMatrix().cast<float>()), t(T.translation.cast<float>()) {}
+
+  Surfel operator*(const Surfel& a) const { return {R * a.point + t, R * a.normal}; }
 
   Eigen::Matrix3f R;
   Eigen::Vector3f t;
@@ -51,16 +56,20 @@ void addCorrespondence(const Surfel& source, const Surfel& target, const FloatPo
   }
 }
 
+/// `matches`: of the iteration before, and of this one afterwards.
 PlaneEquations sumUp(const Surfels& samples, Chunk chunk, const SurfelGrid& grid,
-                     const FloatPose& T, double distance) {
+                     const FloatPose& T, double distance, std::vector<const Surfel*>& matches) {
   PlaneEquations equations;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    const Surfel& source = samples[i];
-    const Surfel* target = grid.nearest(T.R * source.point + T.t, T.R * source.normal,
-                                        static_cast<float>(distance));
-    if (target) addCorrespondence(source, *target, T, kScale * distance, equations);
+    const Surfel moved = T * samples[i];
+    matches[i] = grid.nearest(moved.point, moved.normal, static_cast<float>(distance), matches[i]);
+    if (matches[i]) addCorrespondence(samples[i], *matches[i], T, kScale * distance, equations);
   }
   return equations;
+}
+
+float planeDistance(const Surfel& a, const Surfel& b) {
+  return std::abs((b.hasNormal() ? b.normal : a.normal).dot(a.point - b.point));
 }
 
 }  // namespace
@@ -94,11 +103,15 @@ FineRegistrationResult FineRegistration::align(const RegistrationCloud& source,
   for (std::size_t level = 0; level < source.levels_.size(); ++level) {
     const bool finest = level + 1 == source.levels_.size();
     alignLevel(source.levels_[level], target.levels_[level],
-               (finest ? 1.0 : kCoarseConvergence) * config_.convergence, result);
+               finest ? config_.convergence : kCoarseConvergence * source.levels_[level].distance,
+               result);
     if (result.outcome == FineRegistrationOutcome::too_few_correspondences) return result;
   }
+  const Pose T_source_target = result.T_target_source.inverse();
   result.fitness = std::min(fitness(source, target, result.T_target_source),
-                            fitness(target, source, result.T_target_source.inverse()));
+                            fitness(target, source, T_source_target));
+  result.coherence = std::min(coherence(source, target, result.T_target_source),
+                              coherence(target, source, T_source_target));
   return result;
 }
 
@@ -107,10 +120,11 @@ void FineRegistration::alignLevel(const RegistrationCloud::Level& source,
                                   FineRegistrationResult& result) const {
   const Chunks chunks(source.samples.size(), kChunkLength);
   std::vector<PlaneEquations> parts(chunks.size());
+  std::vector<const Surfel*> matches(source.samples.size(), nullptr);
   for (int iteration = 0; iteration < config_.max_iterations; ++iteration) {
     const FloatPose T(result.T_target_source);
     chunks.forEach([&](std::size_t index, Chunk chunk) {
-      parts[index] = sumUp(source.samples, chunk, target.grid, T, source.distance);
+      parts[index] = sumUp(source.samples, chunk, target.grid, T, source.distance, matches);
     });
     PlaneEquations equations;
     for (const PlaneEquations& part : parts) equations += part;
@@ -138,18 +152,38 @@ double FineRegistration::fitness(const RegistrationCloud& a, const RegistrationC
   std::vector<std::size_t> matched(chunks.size(), 0);
   chunks.forEach([&](std::size_t index, Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Eigen::Vector3f point = T.R * a.surfels_[i].point + T.t;
-      const Eigen::Vector3f normal = T.R * a.surfels_[i].normal;
-      const Surfel* other = b.fitness_grid_.nearest(point, normal, reach);
-      if (!other) continue;
-      const Eigen::Vector3f& plane = other->hasNormal() ? other->normal : normal;
-      if (std::abs(plane.dot(point - other->point)) < plane_reach) ++matched[index];
+      const Surfel moved = T * a.surfels_[i];
+      const Surfel* other = b.fitness_grid_.nearest(moved.point, moved.normal, reach);
+      if (other && planeDistance(moved, *other) < plane_reach) ++matched[index];
     }
   });
   std::size_t sum = 0;
   for (const std::size_t count : matched) sum += count;
   return a.surfels_.empty() ? 0.0
                             : static_cast<double>(sum) / static_cast<double>(a.surfels_.size());
+}
+
+double FineRegistration::coherence(const RegistrationCloud& a, const RegistrationCloud& b,
+                                   const Pose& T_b_a) const {
+  const FloatPose T(T_b_a);
+  const std::size_t last = b.levels_.size() - 1, coarser = last == 0 ? 0 : last - 1;
+  const RegistrationCloud::Level& level = b.levels_[coarser];
+  std::array<std::size_t, kDirections> near{}, fitting{};
+  for (const Surfel& surfel : a.levels_[last].samples) {
+    const Surfel moved = T * surfel;
+    const Surfel* other =
+        level.grid.nearest(moved.point, moved.normal, static_cast<float>(level.distance));
+    if (!other || !surfel.hasNormal()) continue;
+    const std::size_t direction = mainDirection(surfel);
+    ++near[direction];
+    if (planeDistance(moved, *other) < config_.fitness_plane_distance) ++fitting[direction];
+  }
+  double worst = 1.0;
+  for (std::size_t direction = 0; direction < kDirections; ++direction)
+    if (near[direction] >= kFewestForCoherence)
+      worst = std::min(worst, static_cast<double>(fitting[direction]) /
+                                  static_cast<double>(near[direction]));
+  return worst;
 }
 
 }  // namespace revisit_slam

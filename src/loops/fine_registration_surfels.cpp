@@ -10,15 +10,6 @@
 namespace revisit_slam {
 namespace {
 
-constexpr std::size_t kDirections = 4;  // x, y, z and none
-
-std::size_t mainDirection(const Surfel& surfel) {
-  if (!surfel.hasNormal()) return 3;
-  Eigen::Index axis;
-  surfel.normal.cwiseAbs().maxCoeff(&axis);
-  return static_cast<std::size_t>(axis);
-}
-
 using Counts = std::array<std::size_t, kDirections>;
 
 /// Shares `count` among groups: a group that is smaller than its share leaves the rest to others.
@@ -37,6 +28,13 @@ Counts shares(const Counts& sizes, std::size_t count) {
 Voxel cellOf(const Eigen::Vector3f& point, float edge) { return voxelOf<float>(point / edge); }
 
 }  // namespace
+
+std::size_t mainDirection(const Surfel& surfel) {
+  if (!surfel.hasNormal()) return 3;
+  Eigen::Index axis;
+  surfel.normal.cwiseAbs().maxCoeff(&axis);
+  return static_cast<std::size_t>(axis);
+}
 
 Surfels surfelsOf(const Submap& submap) {
   Surfels surfels(submap.points.size());
@@ -83,25 +81,27 @@ SurfelGrid::SurfelGrid(const Surfels& surfels, double reach) : edge_(static_cast
 }
 
 const Surfel* SurfelGrid::nearest(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
-                                  float distance) const {
+                                  float distance, const Surfel* guess) const {
   const Eigen::Array3f reach = Eigen::Array3f::Constant(distance);
   const Voxel first = cellOf(point.array() - reach, edge_);
   const Voxel last = cellOf(point.array() + reach, edge_);
   float best = distance * distance;
   const Surfel* found = nullptr;
+  const auto offer = [&](const Surfel& surfel) {
+    const float squared = (surfel.point - point).squaredNorm();
+    if (squared >= best || !compatible(surfel.normal, normal)) return;
+    best = squared;
+    found = &surfel;
+  };
   const auto look = [&](const Voxel& voxel) {
     const Eigen::Array3f low = edge_ * voxel.cast<float>().array() - point.array();
     const float gap = low.max(-low - edge_).max(0.0f).matrix().squaredNorm();
     if (gap >= best) return;
     const auto cell = cells_.find(packVoxel(voxel));
     if (cell == cells_.end()) return;
-    for (std::uint32_t i = cell->second.begin; i < cell->second.end; ++i) {
-      const float squared = (surfels_[i].point - point).squaredNorm();
-      if (squared >= best || !compatible(surfels_[i].normal, normal)) continue;
-      best = squared;
-      found = &surfels_[i];
-    }
+    for (std::uint32_t i = cell->second.begin; i < cell->second.end; ++i) offer(surfels_[i]);
   };
+  if (guess) offer(*guess);
   const Voxel home = cellOf(point, edge_);
   look(home);
   for (int x = first.x(); x <= last.x(); ++x)

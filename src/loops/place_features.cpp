@@ -47,9 +47,10 @@ PlaceFeatures compact(const OrbFeatures& orb, const Pixel& origin, int max_featu
   PlaceFeatures features;
   for (const int index : byStrength(orb.points)) {
     if (features.size() == static_cast<std::size_t>(max_features)) break;
-    const cv::Point2f& point = orb.points[static_cast<std::size_t>(index)].pt;
-    features.pixels.push_back({static_cast<std::int16_t>(origin.x() + std::lround(point.x)),
-                               static_cast<std::int16_t>(origin.y() + std::lround(point.y))});
+    const cv::KeyPoint& point = orb.points[static_cast<std::size_t>(index)];
+    features.keypoints.push_back({static_cast<std::int16_t>(origin.x() + std::lround(point.pt.x)),
+                                  static_cast<std::int16_t>(origin.y() + std::lround(point.pt.y)),
+                                  point.angle * static_cast<float>(M_PI / 180.0)});
     std::memcpy(features.descriptors.emplace_back().data(), orb.descriptors.ptr(index),
                 sizeof(Descriptor));
   }
@@ -66,10 +67,10 @@ PlaceFeatures extractPlaceFeatures(const DensityImage& image, const PlaceFeature
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (repeated[i]) continue;
     distinct.descriptors.push_back(all.descriptors[i]);
-    distinct.pixels.push_back(all.pixels[i]);
+    distinct.keypoints.push_back(all.keypoints[i]);
   }
   distinct.descriptors.shrink_to_fit();
-  distinct.pixels.shrink_to_fit();
+  distinct.keypoints.shrink_to_fit();
   return distinct;
 }
 

@@ -18,8 +18,10 @@ std::vector<PointPair> pointPairs(const PlaceFeatures& source, const PlaceFeatur
                                   const std::vector<FeatureMatch>& matches) {
   std::vector<PointPair> pairs;
   pairs.reserve(matches.size());
-  for (const FeatureMatch& match : matches)
-    pairs.push_back({source.pixels[match.source].centre(), target.pixels[match.target].centre()});
+  for (const FeatureMatch& match : matches) {
+    const Keypoint &s = source.keypoints[match.source], &t = target.keypoints[match.target];
+    pairs.push_back({s.centre(), t.centre(), static_cast<double>(t.angle - s.angle)});
+  }
   return pairs;
 }
 
@@ -50,7 +52,7 @@ std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
   const std::vector<FeatureMatch> matches = matchFeatures(
       query.features.descriptors, place.features.descriptors, config_.max_distance);
   if (matches.size() < kFewestInliers) return std::nullopt;
-  const PlanarAlignmentConfig alignment{config_.inlier_radius, config_.samples,
+  const PlanarAlignmentConfig alignment{config_.inlier_radius, config_.max_turn, config_.separation, config_.samples,
                                         static_cast<std::uint32_t>(config_.seed)};
   const PlanarAlignment found =
       alignPlanar(pointPairs(query.features, place.features, matches), alignment);

@@ -32,7 +32,7 @@ class OdometryNodelet : public nodelet::Nodelet {
     diagnostics_timer_.stop();
     reset_service_.shutdown();
     reconfigure_server_.reset();
-    queue_.reset();
+    if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
   }
 
  private:
@@ -43,7 +43,12 @@ class OdometryNodelet : public nodelet::Nodelet {
   void onInit() override {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
-    config_ = loadConfig<SlamConfig>(private_node);
+    try {
+      config_ = loadConfig<SlamConfig>(private_node);
+    } catch (const ParameterError& error) {
+      NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
+      throw;
+    }
     front_end_ = std::make_unique<FrontEnd>(config_);
 
     registered_publisher_ = node.advertise<RegisteredScan>("registered_scan", 100);
@@ -53,13 +58,13 @@ class OdometryNodelet : public nodelet::Nodelet {
     reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
     reconfigure_server_ = std::make_unique<ReconfigureServer>(ros::NodeHandle(private_node, "odometry"));
     reconfigure_server_->setCallback([this](auto& values, uint32_t) { reconfigure(values); });
-    diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
-                                              [this](const auto&) { publishDiagnostics(); });
 
     queue_ = std::make_unique<WorkQueue<Message>>(
         config_.live.queue_size, [this](const Message& message) { handle(message); },
         [this] { onQueueFull(); });
-    const uint32_t depth = config_.live.queue_size;
+    diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
+                                              [this](const auto&) { publishDiagnostics(); });
+    const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
     points_subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(
         "points", depth, [this](const CloudPtr& cloud) { queue_->push(cloud); });
     livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
@@ -102,17 +107,17 @@ class OdometryNodelet : public nodelet::Nodelet {
 
   /// Later scans wait in the queue meanwhile. Polls by wall clock: simulated time may not run.
   bool waitForExtrinsics(const std::string& sensor_frame) {
-    if (config_.frames.base.empty()) config_.frames.base = sensor_frame;
+    base_frame_ = config_.frames.base.empty() ? sensor_frame : config_.frames.base;
     while (!queue_->stopping()) {
       try {
         const auto transform =
-            tf_buffer_.lookupTransform(config_.frames.base, sensor_frame, ros::Time(0));
+            tf_buffer_.lookupTransform(base_frame_, sensor_frame, ros::Time(0));
         const std::lock_guard<std::mutex> lock(mutex_);
         front_end_->setExtrinsics(toPose(transform.transform));
         return extrinsics_known_ = true;
       } catch (const tf2::TransformException&) {
         NODELET_WARN_THROTTLE(5.0, "waiting for the transform from '%s' to '%s'; scans wait too",
-                              sensor_frame.c_str(), config_.frames.base.c_str());
+                              sensor_frame.c_str(), base_frame_.c_str());
         ros::WallDuration(0.05).sleep();
       }
     }
@@ -121,20 +126,20 @@ class OdometryNodelet : public nodelet::Nodelet {
 
   void publish(RegisteredScan&& registered) {
     const auto scan = boost::make_shared<const RegisteredScan>(std::move(registered));
-    const FramesConfig& frames = config_.frames;
-    tf_broadcaster_.sendTransform(toTransform(*scan, frames.odom, frames.base));
-    odometry_publisher_.publish(toOdometry(*scan, frames.odom, frames.base));
+    const std::string& odom_frame = config_.frames.odom;
+    tf_broadcaster_.sendTransform(toTransform(*scan, odom_frame, base_frame_));
+    odometry_publisher_.publish(toOdometry(*scan, odom_frame, base_frame_));
     registered_publisher_.publish(scan);
     if (cloud_publisher_.getNumSubscribers() > 0)
       cloud_publisher_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
-          toPointCloud(scan->points_base, scan->stamp, frames.base)));
+          toPointCloud(scan->points_base, scan->stamp, base_frame_)));
     const RegistrationResult& registration = scan->registration;
     if (registration.outcome == RegistrationOutcome::too_few_correspondences)
       NODELET_WARN_THROTTLE(5.0, "registration failed: %s (%zu)", toString(registration.outcome),
                             registration.correspondences);
     const std::lock_guard<std::mutex> lock(mutex_);
     last_registration_ = registration;
-    last_delay_ = ros::Time::now() - toRosTime(scan->stamp);
+    last_delay_ = secondsBetween(scan->stamp, toStamp(ros::Time::now()));
   }
 
   void sayTimeSource() {
@@ -161,12 +166,21 @@ class OdometryNodelet : public nodelet::Nodelet {
     return true;
   }
 
-  void reconfigure(const LiveOdometryConfig& values) {
+  void reconfigure(LiveOdometryConfig& values) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    config_.odometry.max_range = values.max_range;
-    config_.odometry.min_range = values.min_range;
-    config_.odometry.deskew = values.deskew;
-    config_.odometry.max_prediction_time = values.max_prediction_time;
+    OdometryConfig config = config_.odometry;
+    config.max_range = values.max_range;
+    config.min_range = values.min_range;
+    config.deskew = values.deskew;
+    config.max_prediction_time = values.max_prediction_time;
+    try {
+      check(parametersOf(config));  // the server lets NaN through
+      config_.odometry = config;
+      live_values_ = values;
+    } catch (const ParameterError& error) {
+      NODELET_ERROR("%s", error.what());
+      values = live_values_;
+    }
     front_end_->reconfigure(config_.odometry);
   }
 
@@ -186,7 +200,7 @@ class OdometryNodelet : public nodelet::Nodelet {
       addValue("point times", front_end_->timeSource(), status);
       addValue("registration", toString(last_registration_.outcome), status);
       addValue("iterations", std::to_string(last_registration_.iterations), status);
-      addValue("delay (s)", std::to_string(last_delay_.toSec()), status);
+      addValue("delay (s)", std::to_string(last_delay_), status);
       addAccount(account, status);
     }
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
@@ -199,6 +213,8 @@ class OdometryNodelet : public nodelet::Nodelet {
   using ReconfigureServer = dynamic_reconfigure::Server<LiveOdometryConfig>;
 
   SlamConfig config_;
+  LiveOdometryConfig live_values_;
+  std::string base_frame_;  // that of the poses; the queue's thread alone uses it
   tf2_ros::Buffer tf_buffer_;
   tf2_ros::TransformListener tf_listener_{tf_buffer_};
   tf2_ros::TransformBroadcaster tf_broadcaster_;
@@ -210,7 +226,7 @@ class OdometryNodelet : public nodelet::Nodelet {
   std::unique_ptr<FrontEnd> front_end_;
   std::string said_time_source_;
   RegistrationResult last_registration_;
-  ros::Duration last_delay_;
+  double last_delay_ = 0.0;  // s
   std::size_t reported_drops_ = 0;
 
   std::atomic<bool> extrinsics_known_{false};

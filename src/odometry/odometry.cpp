@@ -101,6 +101,7 @@ void Odometry::updateMotion(const Pose& T_odom_base, double seconds) {
 
 void Odometry::reconfigure(const OdometryConfig& config) {
   config_.max_range = config.max_range;
+  threshold_.setMaxRange(config.max_range);
   config_.min_range = config.min_range;
   config_.deskew = config.deskew;
   config_.max_prediction_time = config.max_prediction_time;

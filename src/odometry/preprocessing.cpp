@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/odometry/preprocessing.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "revisit_slam/geometry/chunks.h"
 
 namespace revisit_slam {

@@ -47,6 +47,7 @@ FrontEnd::Result FrontEnd::registerReading(ScanReading reading, StageClock clock
   account_.points_dropped["too far"] += odometry.too_far;
   if (!odometry.scan) return reject(toString(odometry.outcome), "");
   ++account_.processed;
+  odometry.scan->sensor_frame = reading.frame_id;
   Result result{std::move(odometry.scan), "", clock.times()};
   result.times.insert(result.times.end(), odometry.times.begin(), odometry.times.end());
   return result;

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "revisit_slam/information/motion_covariance.h"
 #include "revisit_slam/ros/pose_conversions.h"
 
 namespace revisit_slam {
@@ -32,6 +33,45 @@ nav_msgs::Odometry toOdometry(const RegisteredScan& scan, const std::string& odo
   message.twist.twist.angular.y = v[4];
   message.twist.twist.angular.z = v[5];
   return message;
+}
+
+void fillCovariances(const Matrix6& covariance_pose, const Matrix6& covariance_motion,
+                     double seconds, const Pose& T_odom_base, nav_msgs::Odometry& odometry) {
+  using RowMajor6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  Eigen::Map<RowMajor6>(odometry.pose.covariance.data()) = inFixedAxes(covariance_pose, T_odom_base);
+  if (seconds > 0.0)
+    Eigen::Map<RowMajor6>(odometry.twist.covariance.data()) =
+        covariance_motion / (seconds * seconds);
+}
+
+visualization_msgs::MarkerArray toMarkers(const std::vector<WeakDirection>& weak_directions,
+                                          Stamp stamp, const std::string& base_frame) {
+  constexpr double kLength = 5.0, kShaft = 0.2, kHead = 0.5;  // m
+  visualization_msgs::MarkerArray array;
+  array.markers.resize(1);
+  array.markers[0].action = visualization_msgs::Marker::DELETEALL;
+  for (const WeakDirection& weak : weak_directions) {
+    const bool rotation = weak.direction.head<3>().isZero();
+    const Eigen::Vector3d tip =
+        kLength * (rotation ? weak.direction.tail<3>() : weak.direction.head<3>());
+    visualization_msgs::Marker arrow;
+    arrow.header.stamp = toRosTime(stamp);
+    arrow.header.frame_id = base_frame;
+    arrow.ns = "weak_directions";
+    arrow.id = static_cast<int>(array.markers.size());
+    arrow.type = visualization_msgs::Marker::ARROW;
+    arrow.pose.orientation.w = 1.0;
+    arrow.points.resize(2);
+    arrow.points[1].x = tip.x();
+    arrow.points[1].y = tip.y();
+    arrow.points[1].z = tip.z();
+    arrow.scale.x = kShaft;
+    arrow.scale.y = kHead;
+    arrow.color.a = 1.0;
+    (rotation ? arrow.color.b : arrow.color.r) = 1.0;
+    array.markers.push_back(arrow);
+  }
+  return array;
 }
 
 sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const std::string& frame) {

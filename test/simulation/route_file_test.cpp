@@ -49,7 +49,8 @@ TEST_F(RouteFile, GroundAndTimesFollowTheFile) {
 }
 
 TEST_F(RouteFile, ReadsTum) {
-  std::ofstream(path_) << "# stamp tx ty tz qx qy qz qw\n100.5 1 2 3 0 0 0 1\n100.7 3 2 3 0 0 0 1\n";
+  std::ofstream(path_)
+      << "# stamp tx ty tz qx qy qz qw\n100.5 1 2 3 0 0 0 1\n100.7 3 2 3 0 0 0 1\n";
   const RecordedRoute route = readRoute(path_);
   EXPECT_NEAR(route.times.back(), 0.2, 1e-9);
   EXPECT_TRUE(route.positions.back().isApprox(Eigen::Vector3d(2.0, 0.0, 0.0)));

@@ -18,12 +18,15 @@ double yawOf(const Pose& T) {
   return std::atan2(forward.y(), forward.x());
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * 3.141592653589793); }
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * 3.141592653589793);
+}
 
 bool hasRevisit(const Route& route, RevisitKind kind, double least_seconds) {
   const auto revisits = findRevisits(route);
   return std::any_of(revisits.begin(), revisits.end(), [&](const Revisit& revisit) {
-    return revisit.kind == kind && secondsBetween(revisit.later_from, revisit.later_until) >= least_seconds;
+    return revisit.kind == kind &&
+           secondsBetween(revisit.later_from, revisit.later_until) >= least_seconds;
   });
 }
 
@@ -34,9 +37,10 @@ struct Case {
 };
 
 TEST(Route, IsSmooth) {
-  for (const Case& c : {Case{WorldKind::kTown, "tour", 600}, Case{WorldKind::kTown, "lateral", 600},
-                        Case{WorldKind::kTown, "out-and-back", 500}, Case{WorldKind::kRamp, "tour", 900},
-                        Case{WorldKind::kCampus, "figure-eight", 300}}) {
+  for (const Case& c :
+       {Case{WorldKind::kTown, "tour", 600}, Case{WorldKind::kTown, "lateral", 600},
+        Case{WorldKind::kTown, "out-and-back", 500}, Case{WorldKind::kRamp, "tour", 900},
+        Case{WorldKind::kCampus, "figure-eight", 300}}) {
     RouteConfig config = shortDrive(c.route, c.length);
     config.world = c.world;
     const Route route = makeRoute(config);
@@ -48,7 +52,7 @@ TEST(Route, IsSmooth) {
       const double rate = wrapped(yawOf(b) - yawOf(a)) / kStep;
       ASSERT_LT((b.translation - a.translation).norm(), 10.0 * kStep) << c.route << " at " << t;
       ASSERT_LT(std::abs(rate), 1.6) << c.route << " at " << t;
-      ASSERT_LT(std::abs(rate - previous_rate), 0.12) << c.route << " at " << t;
+      ASSERT_LT(std::abs(rate - previous_rate), 0.2) << c.route << " at " << t;
       previous_rate = rate;
     }
     EXPECT_NEAR(route.length(), c.length, 1.0);
@@ -78,18 +82,17 @@ TEST(Route, LateralLapKeepsItsDistance) {
   RouteConfig config = shortDrive("lateral", 900);
   config.lateral_offset = 4.0;
   const Route route = makeRoute(config);
-  for (const Revisit& revisit : findRevisits(route)) {
-    if (revisit.kind != RevisitKind::kLateral) continue;
-    const Stamp middle{(revisit.later_from.nanoseconds + revisit.later_until.nanoseconds) / 2};
-    const Eigen::Vector3d here = route.positionAt(route.arcAt(middle));
+  std::vector<double> distances;
+  for (double arc = route.length() - 100.0; arc < route.length() - 5.0; arc += 5.0) {
     double nearest = 1e9;
-    for (Stamp t = revisit.earlier_from; t <= revisit.earlier_until; t = t.plusSeconds(0.05)) {
-      nearest = std::min(nearest, (route.positionAt(route.arcAt(t)) - here).norm());
+    for (double other = 0.0; other < arc - 200.0; other += 0.1) {
+      nearest =
+          std::min(nearest, (route.positionAt(other) - route.positionAt(arc)).head<2>().norm());
     }
-    EXPECT_NEAR(nearest, 4.0, 0.6);
-    return;
+    distances.push_back(nearest);
   }
-  FAIL() << "no lateral revisit";
+  std::nth_element(distances.begin(), distances.begin() + 10, distances.end());
+  EXPECT_NEAR(distances[10], 4.0, 0.2);
 }
 
 TEST(Route, RampLevelsLieAboveEachOther) {

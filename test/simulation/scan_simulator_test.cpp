@@ -15,7 +15,8 @@ std::vector<Eigen::Vector3d> placed(const SimulatedScan& scan, const Route& rout
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < scan.scan.points.size(); ++i) {
     const Stamp stamp{scan.first.nanoseconds + scan.nanoseconds[i]};
-    points.push_back(route.poseAt(stamp) * (scan.scan.T_base_sensor * scan.scan.points[i].cast<double>().eval()));
+    points.push_back(route.poseAt(stamp) *
+                     (scan.scan.T_base_sensor * scan.scan.points[i].cast<double>().eval()));
   }
   return points;
 }
@@ -49,7 +50,8 @@ TEST(ScanSimulator, IsExactWithoutNoise) {
   ScanConfig config;
   config.noise = 0.0;
   const ScanSimulator simulator(world, route, makeSensor("narrow"), config);
-  EXPECT_LT(distanceFromWall(placed(simulator.simulate(route.start().plusSeconds(0.5)), route)), 1e-4);
+  EXPECT_LT(distanceFromWall(placed(simulator.simulate(route.start().plusSeconds(0.5)), route)),
+            1e-4);
 }
 
 TEST(ScanSimulator, CastsDeskewedScansFromTheEnd) {

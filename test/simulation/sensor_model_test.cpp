@@ -13,8 +13,12 @@ namespace {
 
 constexpr double kDegrees = 180.0 / 3.141592653589793;
 
-double elevation(const Firing& firing) { return kDegrees * std::asin(firing.direction.z()); }
-double azimuth(const Firing& firing) { return kDegrees * std::atan2(firing.direction.y(), firing.direction.x()); }
+double elevation(const Firing& firing) {
+  return kDegrees * std::asin(firing.direction.z());
+}
+double azimuth(const Firing& firing) {
+  return kDegrees * std::atan2(firing.direction.y(), firing.direction.x());
+}
 
 void expectOrderedUnitRays(const std::vector<Firing>& firings) {
   for (std::size_t i = 0; i < firings.size(); ++i) {
@@ -29,7 +33,9 @@ TEST(SensorModel, SpinningSensorsLookAllAround) {
     const char* name;
     std::size_t rings;
     double low, high;
-  } cases[] = {{"spinning-16", 16, -15.0, 15.0}, {"spinning-64", 64, -24.8, 2.0}, {"spinning-128", 128, -22.5, 22.5}};
+  } cases[] = {{"spinning-16", 16, -15.0, 15.0},
+               {"spinning-64", 64, -24.8, 2.0},
+               {"spinning-128", 128, -22.5, 22.5}};
   for (const auto& sensor : cases) {
     const auto firings = firingsOf(makeSensor(sensor.name), 3);
     expectOrderedUnitRays(firings);

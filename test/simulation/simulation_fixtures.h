@@ -17,10 +17,11 @@ inline RouteConfig shortDrive(const std::string& route = "tour", double length =
 /// A flat floor and a wall at x = 10 that faces the origin, both 200 m wide.
 inline World wallAhead() {
   World world;
-  world.still.vertices = {{10, -100, -5}, {10, 100, -5}, {10, 100, 50}, {10, -100, 50},
-                          {-100, -100, 0}, {10, -100, 0}, {10, 100, 0}, {-100, 100, 0}};
+  world.still.vertices = {{10, -100, -5},  {10, 100, -5}, {10, 100, 50}, {10, -100, 50},
+                          {-100, -100, 0}, {10, -100, 0}, {10, 100, 0},  {-100, 100, 0}};
   world.still.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
-  world.still.materials = {Material::kPlaster, Material::kPlaster, Material::kAsphalt, Material::kAsphalt};
+  world.still.materials = {Material::kPlaster, Material::kPlaster, Material::kAsphalt,
+                           Material::kAsphalt};
   return world;
 }
 
@@ -38,7 +39,8 @@ inline Route straightRoute(double speed, double length, MotionKind motion = Moti
     times.push_back(t);
     arcs.push_back(speed * t);
   }
-  return Route(config, layout, std::make_shared<const Terrain>(layout), path, profileThrough(times, arcs));
+  return Route(config, layout, std::make_shared<const Terrain>(layout), path,
+               profileThrough(times, arcs));
 }
 
 }  // namespace revisit_slam::simulation

@@ -13,8 +13,10 @@ namespace revisit_slam::simulation {
 namespace {
 
 TEST(World, NothingStandsWhereThePlatformDrives) {
-  for (const auto& [world_kind, length] : {std::pair{WorldKind::kTown, 500.0}, {WorldKind::kCampus, 300.0},
-                                           {WorldKind::kBridge, 600.0}, {WorldKind::kRamp, 900.0}}) {
+  for (const auto& [world_kind, length] : {std::pair{WorldKind::kTown, 500.0},
+                                           {WorldKind::kCampus, 300.0},
+                                           {WorldKind::kBridge, 600.0},
+                                           {WorldKind::kRamp, 900.0}}) {
     RouteConfig config = shortDrive("tour", length);
     config.world = world_kind;
     const Route route = makeRoute(config);
@@ -24,7 +26,8 @@ TEST(World, NothingStandsWhereThePlatformDrives) {
       const Eigen::Vector3d forward = route.directionAt(arc);
       for (const double height : {0.5, 1.0, 1.8}) {
         const Eigen::Vector3d from = route.positionAt(arc) + Eigen::Vector3d(0.0, 0.0, height);
-        ASSERT_FALSE(caster.cast(from, forward, 1.0)) << nameOf(world_kind) << " at " << arc << " m";
+        ASSERT_FALSE(caster.cast(from, forward, 1.0))
+            << nameOf(world_kind) << " at " << arc << " m";
       }
       const auto road = caster.cast(route.positionAt(arc) + Eigen::Vector3d(0.0, 0.0, 1.0),
                                     -Eigen::Vector3d::UnitZ(), 3.0);
@@ -64,7 +67,8 @@ TEST(World, SeedsDiffer) {
   const Route first = makeRoute(config);
   config.seed = 2;
   const Route second = makeRoute(config);
-  EXPECT_NE(makeWorld({0}, first).still.triangles.size(), makeWorld({0}, second).still.triangles.size());
+  EXPECT_NE(makeWorld({0}, first).still.triangles.size(),
+            makeWorld({0}, second).still.triangles.size());
 }
 
 }  // namespace

@@ -9,6 +9,11 @@
 
 namespace revisit_slam {
 
+/// Length of the tangent vector from one pose to the other.
+inline double distanceBetween(const Pose& a, const Pose& b) {
+  return log(a.inverse() * b).norm();
+}
+
 /// Random numbers of one test, the same in every run.
 class RandomNumbers {
  public:

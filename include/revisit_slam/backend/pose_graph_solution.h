@@ -29,7 +29,8 @@ struct PoseGraphSolution {
   std::vector<Pose> poses;
   std::vector<LoopResidual> loops;  ///< by LoopId
   double initial_cost = 0.0, final_cost = 0.0;
-  int iterations = 0;
+  int iterations = 0;         ///< on the whole graph
+  int coarse_iterations = 0;  ///< before, on the reduced graph or with a widened kernel
   double seconds = 0.0;
 
   bool usable() const {

@@ -29,8 +29,8 @@ class RelativePoseCost : public ceres::SizedCostFunction<6, 7, 7> {
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
 
  private:
-  Pose T_to_from_;         ///< Z^-1
-  Matrix6 root_;           ///< U
+  Pose T_to_from_;  ///< Z^-1
+  Matrix6 root_;    ///< U
 };
 
 }  // namespace revisit_slam

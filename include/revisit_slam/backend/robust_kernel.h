@@ -8,9 +8,24 @@
 
 namespace revisit_slam {
 
-/// rho(s) = s k^2 / (k^2 + s): bounded by k^2, so that a constraint that contradicts all others
-/// ceases to pull. Its weight rho' = (k^2 / (k^2 + s))^2 is that of dynamic covariance scaling but
-/// for a factor of 4 where it is large.
+/// A function rho of s = chi2 of a loop constraint, with rho(s) ~ s for s << scale^2:
+///
+///   none           s
+///   huber          2 k sqrt(s) - k^2 beyond s = k^2
+///   cauchy         k^2 log(1 + s / k^2)
+///   geman_mcclure  s k^2 / (k^2 + s)
+struct RobustKernel {
+  std::string name = "none";
+  double scale = 1.0;  ///< k
+
+  /// Whether rho is so flat far away that a loop which is right, but starts far from the solution,
+  /// would hardly pull.
+  bool forgetsFarLoops() const { return name == "cauchy" || name == "geman_mcclure"; }
+};
+
+/// rho(s) = s k^2 / (k^2 + s) stays below k^2: a loop that contradicts all others ceases to pull.
+/// The weight rho' = (k^2 / (k^2 + s))^2 is that of dynamic covariance scaling, but for a factor of
+/// 4 far away.
 class GemanMcClureLoss : public ceres::LossFunction {
  public:
   explicit GemanMcClureLoss(double scale) : scale2_(scale * scale) {}
@@ -20,8 +35,7 @@ class GemanMcClureLoss : public ceres::LossFunction {
   double scale2_;  ///< k^2
 };
 
-/// The kernel of that name with scale k, rho(s) ~ s for s << k^2, where s = chi2 of a constraint.
-/// Null for "none". @throws std::invalid_argument for another name.
-std::unique_ptr<ceres::LossFunction> makeKernel(const std::string& name, double scale);
+/// Null for "none". @throws std::invalid_argument for an unknown name.
+std::unique_ptr<ceres::LossFunction> makeLoss(const RobustKernel& kernel);
 
 }  // namespace revisit_slam

@@ -12,7 +12,7 @@ struct SolverConfig {
   int max_iterations = 100;
   double function_tolerance = 1e-7;
   int threads = 2;
-  std::string kernel = "geman_mcclure";
+  std::string kernel = "cauchy";
   double kernel_scale = 5.0;
 
   template <typename Visitor>
@@ -20,7 +20,8 @@ struct SolverConfig {
     v("max_iterations", max_iterations, Range{1, 10000}, "", "steps of the optimiser at most");
     v("function_tolerance", function_tolerance, Range{1e-15, 1e-1}, "",
       "it ends when a step lowers the cost by a smaller share");
-    v("threads", threads, Range{1, 64}, "", "threads of the optimiser; results do not depend on it");
+    v("threads", threads, Range{1, 64}, "",
+      "threads of the optimiser; results do not depend on it");
     v("kernel", kernel, Choices{"none", "huber", "cauchy", "geman_mcclure"}, "",
       "robust kernel of loop constraints");
     v("kernel_scale", kernel_scale, Range{1e-6, 1e9}, "",

@@ -83,7 +83,7 @@ std::vector<Parameter> parametersOf(Config& config) {
 /// Name of a parameter and its value as text.
 using NamedText = std::pair<std::string, std::string>;
 
-/// Sets the parameters named, checking each.
+/// Sets the parameters named, each after a check: a value that is refused is not set.
 /// @throws ParameterError for an unknown name (with the nearest known one), a value of another
 /// type, out of range or not among the choices.
 void assign(const std::vector<Parameter>& parameters, const std::vector<NamedText>& values);

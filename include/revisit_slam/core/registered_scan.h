@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "revisit_slam/core/ids.h"
 #include "revisit_slam/core/pose.h"
 #include "revisit_slam/core/scan.h"
@@ -14,6 +16,7 @@ namespace revisit_slam {
 /// A scan with its place in the odometry frame; what the odometry hands on.
 struct RegisteredScan {
   ScanId id;
+  std::string sensor_frame;  ///< frame_id of the message
   Stamp stamp;  ///< the instant at which the pose is valid
   Pose T_odom_base;
   Tangent velocity_base = Tangent::Zero();  ///< [m/s; rad/s], mean since the previous scan

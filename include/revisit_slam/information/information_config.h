@@ -15,8 +15,8 @@ struct InformationConfig {
   int max_points = 400;
   double min_eigenvalue = 1e-3;
   double weak_ratio = 0.1;
-  double calibration = 1.0;
-  double deskew_share = 0.0;
+  double calibration = 0.4;
+  double deskew_share = 0.44;
   int max_waiting = 10;
 
   template <typename Visitor>

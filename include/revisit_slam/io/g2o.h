@@ -26,9 +26,9 @@ G2oGraph readG2o(const std::string& path);
 void writeG2o(const std::string& path, const G2oGraph& graph);
 
 /// g2o weighs another residual than ours, e_g2o = [t; v] with t the translation and v = sin(a/2) n
-/// the vector part of the unit quaternion (real part >= 0) of E = Z^-1 T_i^-1 T_j; a and n are angle
-/// and axis. Ours is e = Log(E) = [V^-1(a n) t; a n]. To first order around E = I, v = a n / 2 and
-/// V = I, hence
+/// the vector part of the unit quaternion (real part >= 0) of E = Z^-1 T_i^-1 T_j; a and n are
+/// angle and axis. Ours is e = Log(E) = [V^-1(a n) t; a n]. To first order around E = I, v = a n /
+/// 2 and V = I, hence
 ///
 ///   e_g2o = S e with S = diag(1, 1, 1, 1/2, 1/2, 1/2)  and  e^T (S L S) e = e_g2o^T L e_g2o:
 ///

@@ -43,6 +43,7 @@ class RunFolder {
  private:
   void writeInformation(const InformedScan& informed);
   void writeTimes(const RegisteredScan& scan, const StageTimes& times);
+  void endLine(std::ofstream& stream, const std::string& name) const;
 
   std::string path_;
   TumWriter odometry_;

@@ -23,7 +23,11 @@ struct FineRegistrationResult {
   int iterations = 0;           ///< of all levels
   std::size_t inliers = 0;      ///< correspondences at the last iterate
   double rms = 0.0;             ///< m, of their residuals, point to plane where there is one
-  double fitness = 0.0;         ///< s_rk, 0 … 1
+  double fitness = 0.0;         ///< s_rk, 0 … 1: the smaller share of voxels with a counterpart
+  /// 0 … 1, however much the submaps overlap: of the planar voxels that have a surface of the other
+  /// submap near, the share that lies in it, for the main direction of normals where it is least. Where
+  /// walls stand beside walls, the ground alone still makes a high fitness; this tells.
+  double coherence = 0.0;
 };
 
 /// A submap made ready for registration, as source or target: thinned for each level.
@@ -62,6 +66,7 @@ class FineRegistration {
 
   /// Share of the voxels of a that have a counterpart in b.
   double fitness(const RegistrationCloud& a, const RegistrationCloud& b, const Pose& T_b_a) const;
+  double coherence(const RegistrationCloud& a, const RegistrationCloud& b, const Pose& T_b_a) const;
 
   FineRegistrationConfig config_;
 };

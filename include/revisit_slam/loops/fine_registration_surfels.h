@@ -30,6 +30,10 @@ inline bool compatible(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return cosine > 0.7071f || a.isZero() || b.isZero();
 }
 
+/// The axis of the submap that the normal is nearest to, 0 to 2; 3 without normal.
+constexpr std::size_t kDirections = 4;
+std::size_t mainDirection(const Surfel& surfel);
+
 Surfels surfelsOf(const Submap& submap);
 
 /// At most `count` surfels, as many as possible of each main direction of normals (and of those
@@ -46,9 +50,10 @@ class SurfelGrid {
   /// `reach` in metres: the edge of a cell.
   SurfelGrid(const Surfels& surfels, double reach);
 
-  /// The nearest compatible surfel within `distance` <= reach, or null.
+  /// The nearest compatible surfel within `distance` <= reach, or null. `guess`: one of this grid
+  /// that may be near, which saves looking farther.
   const Surfel* nearest(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
-                        float distance) const;
+                        float distance, const Surfel* guess = nullptr) const;
 
  private:
   struct Cell {

@@ -12,21 +12,24 @@ namespace revisit_slam {
 /// 256 binary comparisons around a pixel (ORB).
 using Descriptor = std::array<std::uint64_t, 4>;
 
-/// A point of the grid of a level frame; ORB's corners in one octave lie on whole pixels.
-struct FeaturePixel {
+/// Where a feature lies in the grid of a level frame (ORB's corners in one octave lie on whole
+/// pixels) and how it is turned: the direction from it to the centroid of its patch, radians from x
+/// towards y.
+struct Keypoint {
   std::int16_t i = 0;
   std::int16_t j = 0;
+  float angle = 0.0f;
 
   Eigen::Vector2d centre() const { return {i + 0.5, j + 0.5}; }  ///< in pixels
 };
 
-/// What place recognition keeps of a local map: 36 bytes a feature.
+/// What place recognition keeps of a local map: 40 bytes a feature.
 struct PlaceFeatures {
   std::vector<Descriptor> descriptors;
-  std::vector<FeaturePixel> pixels;
+  std::vector<Keypoint> keypoints;
 
   std::size_t size() const { return descriptors.size(); }
-  std::size_t bytes() const { return size() * (sizeof(Descriptor) + sizeof(FeaturePixel)); }
+  std::size_t bytes() const { return size() * (sizeof(Descriptor) + sizeof(Keypoint)); }
 };
 
 /// ORB features that are unlike all others of their own image, strongest first. None for an image

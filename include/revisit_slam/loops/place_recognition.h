@@ -14,7 +14,7 @@ struct PlaceMatch {
   LocalMapId source;  ///< the query
   LocalMapId target;  ///< an earlier map
   Pose T_target_source;
-  int inliers = 0;   ///< features that agree on it
+  int inliers = 0;   ///< features, apart from each other, that agree on it
   int matches = 0;   ///< features that look alike
   double rms = 0.0;  ///< m, how well the inliers agree
 };

@@ -44,6 +44,8 @@ struct PlaceRecognitionConfig {
   PlaceFeaturesConfig features;
   int max_distance = 50;
   double inlier_radius = 3.0;
+  double max_turn = 0.35;
+  double separation = 5.0;
   int min_inliers = 5;
   int newest_excluded = 3;
   int samples = 1000;
@@ -56,6 +58,10 @@ struct PlaceRecognitionConfig {
     v("max_distance", max_distance, Range{0, 128}, "bit", "matched features differ by no more");
     v("inlier_radius", inlier_radius, Range{0.5, 20.0}, "px",
       "matched features that lie nearer to each other agree with an alignment");
+    v("max_turn", max_turn, Range{0.01, 3.2}, "rad",
+      "they are also turned by the angle of the alignment, within this");
+    v("separation", separation, Range{0.0, 100.0}, "px",
+      "of several that agree and are nearer to each other only one counts");
     v("min_inliers", min_inliers, Range{2, 500}, "",
       "tau_inliers: a place is recognised when more features than this agree");
     v("newest_excluded", newest_excluded, Range{0, 1000}, "",

@@ -13,6 +13,8 @@ class AdaptiveThreshold {
   /// `max_range` in metres: the distance at which a rotation is felt as a displacement.
   AdaptiveThreshold(const AdaptiveThresholdConfig& config, double max_range);
 
+  void setMaxRange(double max_range) { max_range_ = max_range; }
+
   /// Metres.
   double sigma() const;
 

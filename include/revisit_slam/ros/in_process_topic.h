@@ -4,9 +4,22 @@
 #include <ros/message_traits.h>
 #include <ros/serialization.h>
 
+#include <boost/shared_ptr.hpp>
+#include <memory>
 #include <stdexcept>
 
-#include "revisit_slam/core/registered_scan.h"
+#include "revisit_slam/core/informed_scan.h"
+
+namespace revisit_slam {
+
+/// The core holds what it is given in std::shared_ptr; ROS 1 hands out boost::shared_ptr. The
+/// pointer returned shares the ownership, nothing is copied.
+template <typename T>
+std::shared_ptr<const T> toStdPointer(const boost::shared_ptr<const T>& pointer) {
+  return {pointer.get(), [pointer](const T*) {}};
+}
+
+}  // namespace revisit_slam
 
 /// C++ types as topics within one process: the boost::shared_ptr<const T> that a nodelet publishes
 /// is the one that the others receive. Such a topic does not leave the process: a subscriber in
@@ -52,3 +65,5 @@
 
 REVISIT_SLAM_IN_PROCESS_TOPIC(revisit_slam::RegisteredScan, "revisit_slam/RegisteredScan",
                               "7265766973697473636e303030303031")
+REVISIT_SLAM_IN_PROCESS_TOPIC(revisit_slam::InformedScan, "revisit_slam/InformedScan",
+                              "7265766973697473636e303030303032")

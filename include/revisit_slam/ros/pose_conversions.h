@@ -5,6 +5,9 @@
 #include <geometry_msgs/Transform.h>
 #include <ros/time.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "revisit_slam/core/pose.h"
 #include "revisit_slam/core/stamp.h"
 
@@ -14,10 +17,12 @@ inline Stamp toStamp(const ros::Time& time) {
   return {static_cast<std::int64_t>(time.sec) * 1'000'000'000 + time.nsec};
 }
 
-/// ROS 1 has no time before the epoch: such stamps become zero.
+/// ROS 1 has no time before the epoch nor after 32 bits of seconds: such stamps become its ends. The
+/// last minute is left out, as every tf2 listener adds to stamps and throws where that overflows.
 inline ros::Time toRosTime(Stamp stamp) {
+  constexpr std::int64_t last = (std::int64_t{0xffffffff} - 60) * 1'000'000'000;
   ros::Time time;
-  if (stamp.nanoseconds > 0) time.fromNSec(static_cast<std::uint64_t>(stamp.nanoseconds));
+  time.fromNSec(static_cast<std::uint64_t>(std::clamp<std::int64_t>(stamp.nanoseconds, 0, last)));
   return time;
 }
 

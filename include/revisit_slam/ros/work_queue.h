@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -20,13 +21,16 @@ class WorkQueue {
         on_drop_(std::move(on_drop)),
         thread_([this] { run(); }) {}
 
-  ~WorkQueue() {
+  ~WorkQueue() { stop(); }
+
+  /// Returns when the work at hand has ended; what waits is left.
+  void stop() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       stopping_ = true;
     }
     changed_.notify_all();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
   }
 
   WorkQueue(const WorkQueue&) = delete;
@@ -51,7 +55,7 @@ class WorkQueue {
     return items_.size();
   }
 
-  /// For work that waits for something: true as soon as the queue is being destroyed.
+  /// For work that waits for something: true as soon as the queue is to stop.
   bool stopping() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return stopping_;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "revisit_slam/core/submap.h"
+#include "revisit_slam/loops/submap_association.h"
+
+namespace revisit_slam {
+
+struct RetroactiveConfig {
+  bool enabled = true;
+  AssociationConfig association;
+  int min_separation = 2;
+  int novelty_range = 5;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("enabled", enabled, "false: only appearance closes loops (ablation)");
+    v.group("association", association);
+    v("min_separation", min_separation, Range{1, 1000}, "",
+      "local maps whose ids differ by less are neighbours, not revisits");
+    v("novelty_range", novelty_range, Range{1, 1000}, "",
+      "a closure this many local maps from any other gains as much as one still farther");
+  }
+};
+
+/// The later local map (source) and the earlier one (target).
+using LocalMapPair = std::pair<LocalMapId, LocalMapId>;
+
+struct RetroactiveCandidate {
+  LocalMapPair maps;
+  double hausdorff;  ///< m, of the optimised trajectories
+  double gain;       ///< 0 … 1, expected: closeness times distance from other closures
+};
+
+/// The submaps of a local map as the graph placed them; `T_map_scan` counts by scan id.
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan);
+
+/// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E).
+class RetroactiveSearch {
+ public:
+  explicit RetroactiveSearch(const RetroactiveConfig& config) : config_(config) {}
+
+  /// Pairs (i, j) with p < i <= n and j earlier, not neighbouring, not in `closed`, whose optimised
+  /// trajectories satisfy d_H <= tau_H and come near; most promising first. `maps` counts by local
+  /// map id, `T_map_scan` by scan id. Without `p` all maps up to n are searched.
+  std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
+                                           const std::vector<Pose>& T_map_scan,
+                                           std::optional<LocalMapId> p, LocalMapId n,
+                                           const std::set<LocalMapPair>& closed) const;
+
+ private:
+  void orderByGain(std::vector<RetroactiveCandidate>& candidates,
+                   const std::set<LocalMapPair>& closed) const;
+
+  RetroactiveConfig config_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <unordered_map>
+
+#include "g2o_line.h"
+#include "revisit_slam/io/g2o.h"
+
+namespace revisit_slam {
+namespace {
+
+struct Vertex {
+  std::uint64_t id;
+  Pose T_map_node;
+};
+
+struct Edge {
+  std::uint64_t from, to;
+  Pose T_from_to;
+  Matrix6 information;
+  int line;
+};
+
+/// Collects the lines, which may come in any order, and makes the graph of them.
+class G2oReading {
+ public:
+  void read(const std::string& text, int number) {
+    G2oLine line(text);
+    const std::string type = line.word();
+    if (type.empty() || type[0] == '#' || type == "FIX" || type.rfind("PARAMS_", 0) == 0) return;
+    if (type == "VERTEX_SE3:QUAT")
+      addVertex(line);
+    else if (type == "EDGE_SE3:QUAT")
+      addEdge(line, number);
+    else
+      throw std::runtime_error("unknown type '" + type + "'");
+    line.requireEnd();
+  }
+
+  std::size_t edges() const { return edges_.size(); }
+  int lineOf(std::size_t edge) const { return edges_[edge].line; }
+
+  G2oGraph vertices() {
+    std::sort(vertices_.begin(), vertices_.end(),
+              [](const Vertex& a, const Vertex& b) { return a.id < b.id; });
+    G2oGraph result;
+    for (const Vertex& vertex : vertices_) {
+      nodes_[vertex.id] = result.graph.addNode(vertex.T_map_node);
+      result.ids.push_back(vertex.id);
+    }
+    return result;
+  }
+
+  void addEdgeTo(PoseGraph& graph, std::size_t index) const {
+    const Edge& edge = edges_[index];
+    const Constraint constraint{nodeOf(edge.from), nodeOf(edge.to), edge.T_from_to,
+                                informationFromG2o(edge.information)};
+    if (constraint.to.value == constraint.from.value + 1)
+      graph.addOdometry(constraint);
+    else
+      graph.addLoop(constraint);
+  }
+
+ private:
+  void addVertex(G2oLine& line) {
+    const std::uint64_t id = line.id();
+    if (!nodes_.emplace(id, ScanId{}).second)
+      throw std::runtime_error("vertex " + std::to_string(id) + " is there already");
+    vertices_.push_back({id, line.pose()});
+  }
+
+  void addEdge(G2oLine& line, int number) {
+    const std::uint64_t from = line.id(), to = line.id();
+    const Pose T_from_to = line.pose();
+    edges_.push_back({from, to, T_from_to, line.symmetric(), number});
+  }
+
+  ScanId nodeOf(std::uint64_t id) const {
+    const auto found = nodes_.find(id);
+    if (found == nodes_.end()) throw std::runtime_error("there is no vertex " + std::to_string(id));
+    return found->second;
+  }
+
+  std::vector<Vertex> vertices_;
+  std::vector<Edge> edges_;
+  std::unordered_map<std::uint64_t, ScanId> nodes_;
+};
+
+}  // namespace
+
+G2oGraph readG2o(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read the pose graph '" + path + "'");
+  G2oReading reading;
+  std::string text;
+  int number = 0;
+  try {
+    while (std::getline(file, text)) reading.read(text, ++number);
+    G2oGraph result = reading.vertices();
+    for (std::size_t i = 0; i < reading.edges(); ++i) {
+      number = reading.lineOf(i);
+      reading.addEdgeTo(result.graph, i);
+    }
+    return result;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ", line " + std::to_string(number) + ": " + error.what());
+  }
+}
+
+}  // namespace revisit_slam

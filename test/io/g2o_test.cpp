@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/g2o.h"
+
+#include <gtest/gtest.h>
+
+#include "revisit_slam/backend/relative_pose_cost.h"
+#include "support/random_numbers.h"
+#include "support/temporary_folder.h"
+
+namespace revisit_slam {
+namespace {
+
+const std::string kIdentity = "1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1";
+const std::string kEdge = "EDGE_SE3:QUAT 10 11 1 0 0 0 0 0 1 " + kIdentity + "\n";
+const std::string kVertices =
+    "VERTEX_SE3:QUAT 11 1 0 0 0 0 0 2\n# a comment\n\nVERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\nFIX 10\n";
+
+std::string messageOfReading(const std::string& text) {
+  const TemporaryFolder folder;
+  try {
+    readG2o(folder.with("a.g2o", text));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+Matrix6 someInformation(RandomNumbers& random) {
+  Matrix6 A;
+  for (int i = 0; i < 36; ++i) A(i / 6, i % 6) = random.uniform(-1.0, 1.0);
+  return A * A.transpose() + Matrix6::Identity();
+}
+
+TEST(G2o, ReadsNodesInTheOrderOfTheirIds) {
+  const TemporaryFolder folder;
+  const G2oGraph read = readG2o(folder.with("a.g2o", kEdge + kVertices));
+  EXPECT_EQ(read.ids, (std::vector<std::uint64_t>{10, 11}));
+  EXPECT_EQ(read.graph.poses()[1].translation.x(), 1.0);
+  EXPECT_EQ(read.graph.poses()[1].rotation.w(), 1.0);  // made a unit quaternion
+  ASSERT_EQ(read.graph.odometry().size(), 1u);
+  EXPECT_EQ(read.graph.odometry()[0].to, ScanId{1});
+}
+
+TEST(G2o, EdgesOtherThanToTheNextNodeAreLoops) {
+  const TemporaryFolder folder;
+  const std::string back = "EDGE_SE3:QUAT 11 10 -1 0 0 0 0 0 1 " + kIdentity + "\n";
+  const G2oGraph read = readG2o(folder.with("a.g2o", kVertices + kEdge + back));
+  EXPECT_EQ(read.graph.odometry().size(), 1u);
+  EXPECT_EQ(read.graph.loops().size(), 1u);
+}
+
+TEST(G2o, WhatIsWrittenReadsBackTheSame) {
+  RandomNumbers random(1);
+  G2oGraph written;
+  written.ids = {3, 7, 8646911284551352320u};
+  for (int i = 0; i < 3; ++i) written.graph.addNode(random.pose(1e4));
+  written.graph.addOdometry({ScanId{0}, ScanId{1}, random.pose(5), someInformation(random)});
+  written.graph.addLoop({ScanId{2}, ScanId{0}, random.pose(5), someInformation(random)});
+  const TemporaryFolder folder;
+  writeG2o(folder.file("a.g2o"), written);
+  const G2oGraph read = readG2o(folder.file("a.g2o"));
+  EXPECT_EQ(read.ids, written.ids);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_LT(distanceBetween(read.graph.poses()[i], written.graph.poses()[i]), 1e-11);
+  for (const auto& [a, b] : {std::pair(read.graph.odometry()[0], written.graph.odometry()[0]),
+                             std::pair(read.graph.loops()[0], written.graph.loops()[0])}) {
+    EXPECT_EQ(a.from, b.from);
+    EXPECT_EQ(a.to, b.to);
+    EXPECT_LT((a.information - b.information).norm(), 1e-12);
+  }
+}
+
+TEST(G2o, ErrorsNameTheLine) {
+  const auto expectAt = [](int line, const std::string& what, const std::string& text) {
+    const std::string message = messageOfReading(text);
+    EXPECT_NE(message.find("a.g2o, line " + std::to_string(line) + ": "), std::string::npos)
+        << message;
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  expectAt(1, "unknown type 'VERTEX_SE2'", "VERTEX_SE2 0 1 2 3\n");
+  expectAt(2, "a number is missing", "\nVERTEX_SE3:QUAT 0 1 2 3 0 0 0\n");
+  expectAt(1, "not finite", "VERTEX_SE3:QUAT 0 1 2 nan 0 0 0 1\n");
+  expectAt(1, "no length", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 0\n");
+  expectAt(1, "'-1' is no id", "VERTEX_SE3:QUAT -1 1 2 3 0 0 0 1\n");
+  expectAt(1, "too much at '9'", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1 9\n");
+  expectAt(6, "vertex 10 is there already", kVertices + "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n");
+  expectAt(2, "there is no vertex 11", "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n" + kEdge);
+  expectAt(1, "itself", "EDGE_SE3:QUAT 10 10 1 0 0 0 0 0 1 " + kIdentity + "\n" + kVertices);
+  EXPECT_EQ(messageOfReading(kVertices + kEdge), "accepted");
+  EXPECT_THROW(readG2o("/nowhere/a.g2o"), std::runtime_error);
+}
+
+/// The residual as g2o defines it, squared by the information of the file, must be ours where the
+/// residual is small.
+TEST(G2o, ConvertedInformationGivesTheSameChi2OfSmallResiduals) {
+  RandomNumbers random(2);
+  for (int i = 0; i < 20; ++i) {
+    const Matrix6 L = someInformation(random);
+    const Constraint constraint{ScanId{0}, ScanId{1}, random.pose(5), informationFromG2o(L)};
+    const Pose T_i = random.pose(5);
+    const Pose T_j = T_i * constraint.T_from_to * exp(random.tangent(1e-4, 1e-4));
+    const Pose E = constraint.T_from_to.inverse() * (T_i.inverse() * T_j);
+    Tangent e;
+    e << E.translation, (E.rotation.w() < 0.0 ? -1.0 : 1.0) * E.rotation.vec();
+    const double theirs = e.dot(L * e);
+    EXPECT_NEAR(chi2(constraint, T_i, T_j), theirs, 1e-3 * theirs);
+    PoseGraph graph;
+    graph.addNode(T_i);
+    graph.addNode(T_j);
+    graph.addOdometry(constraint);
+    EXPECT_NEAR(g2oChi2(graph, graph.poses()), theirs, 1e-9 * theirs);
+    EXPECT_LT((informationToG2o(informationFromG2o(L)) - L).norm(), 1e-14 * L.norm());
+  }
+}
+
+}  // namespace
+}  // namespace revisit_slam

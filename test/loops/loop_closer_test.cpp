@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/loop_closer.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "support/synthetic_street.h"
+
+namespace revisit_slam {
+namespace {
+
+/// The local map of a drive; ids of scans count from `first_scan`.
+LocalMapPtr localMapOf(SyntheticStreet street, const std::vector<Pose>& T_street_scan,
+                       unsigned first_scan) {
+  MapHierarchy hierarchy{MappingConfig{}};
+  for (const Pose& T : T_street_scan)
+    hierarchy.insert({first_scan++}, {}, T, street.scan(T));
+  return hierarchy.closeAll().local_map;
+}
+
+class LoopCloserTest : public testing::Test {
+ protected:
+  std::vector<LoopProposal> close(const LocalMap& source, const Tangent& error) const {
+    const Pose guess = boxplus(T_target_source_, error);
+    return LoopCloser({}, {}).close(source, *target_, guess, LoopOrigin::appearance);
+  }
+
+  const LocalMapPtr target_ = localMapOf(SyntheticStreet(5, 1), drive(0, 50), 0);
+  const LocalMapPtr source_ = localMapOf(SyntheticStreet(5, 2), drive(52, 2, 2.0), 100);
+  const Pose T_target_source_ = target_->T_odom_local().inverse() * source_->T_odom_local();
+  const Tangent error_ = (Tangent() << 0.8, -0.9, 0.1, 0.01, 0, 0.03).finished();
+};
+
+TEST_F(LoopCloserTest, ClosesTheLoopOfOppositeDrives) {
+  const auto proposals = close(*source_, error_);
+  ASSERT_EQ(proposals.size(), source_->submaps.size());
+  for (const LoopProposal& proposal : proposals) {
+    const LoopConstraint& loop = proposal.loop;
+    ASSERT_EQ(proposal.outcome, LoopOutcome::accepted) << toString(proposal.outcome);
+    const Submap& target = *target_->submaps[loop.target.value];
+    const Submap& source = *source_->submaps[loop.source.value];
+    EXPECT_EQ(loop.constraint.from, target.first_scan);
+    EXPECT_EQ(loop.constraint.to, source.first_scan);
+    EXPECT_LT(distanceBetween(loop.constraint.T_from_to,
+                              target.T_odom_submap.inverse() * source.T_odom_submap),
+              0.03);
+    EXPECT_GT(loop.constraint.information(0, 0), 10.0);
+    EXPECT_GT(proposal.moved_translation, 0.5);
+  }
+}
+
+TEST_F(LoopCloserTest, RejectsAnotherStreet) {
+  const auto elsewhere = localMapOf(SyntheticStreet(9, 2), drive(52, 2, 2.0), 100);
+  const auto proposals = close(*elsewhere, error_);
+  EXPECT_FALSE(proposals.empty());
+  for (const LoopProposal& proposal : proposals)
+    EXPECT_NE(proposal.outcome, LoopOutcome::accepted);
+}
+
+TEST_F(LoopCloserTest, DoesNotDependOnThreads) {
+  std::vector<LoopProposal> one, four;
+  tbb::task_arena(1).execute([&] { one = close(*source_, error_); });
+  tbb::task_arena(4).execute([&] { four = close(*source_, error_); });
+  ASSERT_EQ(one.size(), four.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const Constraint &a = one[i].loop.constraint, &b = four[i].loop.constraint;
+    EXPECT_EQ(a.T_from_to.matrix(), b.T_from_to.matrix());
+    EXPECT_EQ(a.information, b.information);
+  }
+}
+
+}  // namespace
+}  // namespace revisit_slam

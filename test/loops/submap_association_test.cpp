@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/submap_association.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace revisit_slam {
+namespace {
+
+/// A submap of 25 m along x, in steps of 1 m.
+PlacedSubmap placed(double x, double y, double yaw = 0.0) {
+  auto submap = std::make_shared<Submap>();
+  for (int i = 0; i <= 25; ++i) submap->T_submap_scan.push_back({{}, {1.0 * i, 0, 0}});
+  for (Pose& T : submap->T_submap_scan) T.rotation.setIdentity();
+  return {submap, {expSO3({0, 0, yaw}), {x, y, 0}}};
+}
+
+const std::vector<PlacedSubmap> kTargets{placed(0, 0), placed(25, 0), placed(50, 0)};
+
+TEST(SubmapAssociation, TakesTheNearestTargetOfEachSource) {
+  const auto pairs = associate({placed(48, 3), placed(2, 3)}, kTargets, {});
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].source, 0u);
+  EXPECT_EQ(pairs[0].target, 2u);
+  EXPECT_NEAR(pairs[0].hausdorff, std::hypot(2, 3), 1e-12);
+  EXPECT_EQ(pairs[1].target, 0u);
+}
+
+TEST(SubmapAssociation, OppositeDirectionsAssociate) {
+  const auto pairs = associate({placed(50, 4, M_PI)}, kTargets, {});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].target, 1u);
+  EXPECT_NEAR(pairs[0].hausdorff, 4.0, 1e-9);
+}
+
+TEST(SubmapAssociation, NothingBeyondTheThresholds) {
+  EXPECT_TRUE(associate({placed(0, 101)}, kTargets, {}).empty());
+  AssociationConfig config;
+  config.max_gap = 30.0;
+  EXPECT_TRUE(associate({placed(0, 31)}, kTargets, config).empty());
+  EXPECT_EQ(associate({placed(0, 29)}, kTargets, config).size(), 1u);
+  EXPECT_TRUE(associate({placed(0, 0)}, {}, {}).empty());
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <limits>
+
+#include "in_process_odometry.h"
+
+namespace revisit_slam {
+namespace {
+
+using BadInput = InProcessOdometry;
+
+TEST_F(BadInput, badCloudsAreCountedByReasonAndGoodOnesAroundThemRegistered) {
+  load();
+  const Drive drive = driveInRoom(4);
+  const auto clouds = toClouds(drive);
+  const BadClouds bad(clouds[2]);
+  for (const auto& cloud : {clouds[0], clouds[1], bad.empty, bad.all_nan, bad.no_point_step,
+                            bad.truncated, bad.no_y, clouds[0], clouds[1],
+                            toCloud(drive.scans[2], true), clouds[3]})
+    publish(cloud);
+  ASSERT_TRUE(listener_.diagnoses("scans received", 11));
+  EXPECT_EQ(listener_.diagnosed("scans processed"), 4);
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"bad layout", 2},
+                                                           {"duplicate stamp", 1},
+                                                           {"no finite points", 1},
+                                                           {"no points", 1},
+                                                           {"no x, y, z", 1},
+                                                           {"time went back", 1}}));
+  ASSERT_TRUE(listener_.hasPoses(4));
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(listener_.stamps()[i], drive.scans[i].stamp);
+}
+
+TEST_F(BadInput, bigEndianCloudsGiveTheSamePose) {
+  load();
+  const Drive drive = driveInRoom(6);
+  for (const Scan& scan : drive.scans) publish(toCloud(scan, false));
+  ASSERT_TRUE(listener_.hasPoses(6));
+  loader_.clear();
+  load();
+  for (const Scan& scan : drive.scans) publish(toCloud(scan, true));
+  ASSERT_TRUE(listener_.hasPoses(12));
+  const Trajectory poses = listener_.trajectory();
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(distanceBetween(poses[i].T_world_base, poses[i + 6].T_world_base), 0.0);
+}
+
+TEST_F(BadInput, stampsAtTheEndOfTimeAreSurvived) {
+  load();
+  const auto clouds = toClouds(driveInRoom(2));
+  auto far = clouds[1];
+  far.header.stamp.sec = std::numeric_limits<std::uint32_t>::max();
+  auto zero = clouds[0];
+  zero.header.stamp = ros::Time();
+  for (const auto& cloud : {zero, clouds[0], far, far}) publish(cloud);
+  ASSERT_TRUE(listener_.diagnoses("scans received", 4));
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"duplicate stamp", 1}}));
+}
+
+}  // namespace
+}  // namespace revisit_slam

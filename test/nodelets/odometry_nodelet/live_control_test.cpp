@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What may be changed while the odometry runs: parameters, reset.
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <revisit_slam/LiveOdometryConfig.h>
+#include <std_srvs/Trigger.h>
+
+#include <limits>
+
+#include "in_process_odometry.h"
+
+namespace revisit_slam {
+namespace {
+
+class LiveControl : public InProcessOdometry {
+ protected:
+  /// Returns the value in force afterwards.
+  double setMaxRange(double value) {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.doubles.resize(1);
+    call.request.config.doubles[0].name = "max_range";
+    call.request.config.doubles[0].value = value;
+    EXPECT_TRUE(ros::service::call(space_ + "odometry/odometry/set_parameters", call));
+    LiveOdometryConfig config = LiveOdometryConfig::__getDefault__();
+    config.__fromMessage__(call.response.config);
+    return config.max_range;
+  }
+
+  /// Registers the drive's next scan; returns how many of its points were too far.
+  int pointsTooFar() {
+    const int before = listener_.diagnosed("points dropped, too far");
+    publish(clouds_[next_]);
+    EXPECT_TRUE(listener_.diagnoses("scans received", static_cast<int>(++next_)));
+    return listener_.diagnosed("points dropped, too far") - before;
+  }
+
+  const std::vector<sensor_msgs::PointCloud2> clouds_ = toClouds(driveInRoom(6));
+  std::size_t next_ = 0;
+};
+
+TEST_F(LiveControl, maximumRangeAppliesFromTheNextScan) {
+  load();
+  EXPECT_EQ(pointsTooFar(), 0);
+  EXPECT_EQ(setMaxRange(5.0), 5.0);
+  EXPECT_GT(pointsTooFar(), 1000);
+  EXPECT_EQ(setMaxRange(60.0), 60.0);
+  EXPECT_EQ(pointsTooFar(), 0);
+  EXPECT_EQ(listener_.diagnosed("scans processed"), 3);
+}
+
+TEST_F(LiveControl, valuesThatAreNotAllowedDoNoHarm) {
+  load();
+  EXPECT_EQ(pointsTooFar(), 0);
+  EXPECT_EQ(setMaxRange(1e9), 1000.0);
+  EXPECT_EQ(pointsTooFar(), 0);
+  EXPECT_EQ(setMaxRange(-1.0), 1.0);
+  EXPECT_GT(pointsTooFar(), 1000);
+  EXPECT_EQ(setMaxRange(60.0), 60.0);
+  EXPECT_EQ(setMaxRange(std::numeric_limits<double>::quiet_NaN()), 60.0);
+  EXPECT_EQ(pointsTooFar(), 0);
+}
+
+TEST_F(LiveControl, resetStartsAnewFromTheIdentity) {
+  load();
+  for (const auto& cloud : clouds_) publish(cloud);
+  ASSERT_TRUE(listener_.hasPoses(6));
+  std_srvs::Trigger call;
+  ASSERT_TRUE(ros::service::call(space_ + "odometry/reset", call));
+  EXPECT_TRUE(call.response.success);
+
+  for (const auto& cloud : clouds_) publish(cloud);  // older than those before, and welcome
+  ASSERT_TRUE(listener_.hasPoses(12));
+  ASSERT_TRUE(listener_.diagnoses("scans received", 6));
+  const Trajectory poses = listener_.trajectory();
+  EXPECT_EQ(poses[6].T_world_base.translation.norm(), 0.0);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(distanceBetween(poses[i].T_world_base, poses[i + 6].T_world_base), 0.0);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/odometry/odometry.h"
+
+#include <gtest/gtest.h>
+
+#include "support/synthetic_drive.h"
+#include "support/threads.h"
+
+namespace revisit_slam {
+namespace {
+
+TEST(Odometry, FollowsADriveAlsoWhenScansAreDropped) {
+  const Drive drive = driveInRoom(40);
+  for (const bool drop : {false, true}) {
+    Odometry odometry(roomConfig());
+    std::uint32_t expected_id = 0;
+    for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+      if (drop && i > 12 && i % 4 != 0) continue;  // up to 0.4 s and 1.6 m without a scan
+      const auto result = odometry.registerScan(drive.scans[i]);
+      ASSERT_EQ(result.outcome, OdometryOutcome::registered);
+      EXPECT_EQ(result.scan->id.value, expected_id++);
+      EXPECT_EQ(result.scan->stamp, drive.scans[i].stamp);
+      EXPECT_TRUE(result.scan->deskewed);
+      EXPECT_LT(distanceBetween(result.scan->T_odom_base, drive.T_first_base[i]), 0.08) << i;
+      if (i > 30) {
+        EXPECT_LT((result.scan->velocity_base - drive.last_velocity).norm(), 0.4) << i;
+      }
+    }
+  }
+}
+
+TEST(Odometry, StartsWhereItIs) {
+  const auto result = Odometry(roomConfig()).registerScan(driveInRoom(1).scans[0]);
+  EXPECT_EQ(result.scan->registration.outcome, RegistrationOutcome::map_empty);
+  EXPECT_EQ(result.scan->T_odom_base.matrix(), Eigen::Matrix4d::Identity());
+  EXPECT_EQ(result.scan->velocity_base, Tangent::Zero());
+  EXPECT_LT(result.scan->source_base.size(), result.scan->points_base.size());
+}
+
+TEST(Odometry, RejectedScansChangeNothing) {
+  const Drive drive = driveInRoom(12);
+  Scan duplicate = drive.scans[3], older = drive.scans[2], empty, far, near;
+  older.stamp = drive.scans[5].stamp.plusSeconds(-1e-9);
+  empty.stamp = far.stamp = near.stamp = drive.scans[5].stamp.plusSeconds(0.05);
+  far.points = Points(50, {70, 0, 0});
+  near.points = Points(30, {0.1f, 0, 0});
+  duplicate.stamp = drive.scans[5].stamp;
+  Odometry with(roomConfig()), without(roomConfig());
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    const auto a = with.registerScan(drive.scans[i]), b = without.registerScan(drive.scans[i]);
+    EXPECT_EQ(a.scan->T_odom_base.matrix(), b.scan->T_odom_base.matrix()) << i;
+    EXPECT_EQ(a.scan->id, b.scan->id);
+    EXPECT_EQ(a.scan->sigma, b.scan->sigma);
+    EXPECT_EQ(a.scan->points_base, b.scan->points_base);
+    if (i != 5) continue;
+    for (const auto& [scan, outcome] : {std::pair{&duplicate, OdometryOutcome::duplicate_stamp},
+                                        {&older, OdometryOutcome::time_went_back},
+                                        {&empty, OdometryOutcome::no_point_in_range},
+                                        {&far, OdometryOutcome::no_point_in_range},
+                                        {&near, OdometryOutcome::no_point_in_range}}) {
+      const auto rejected = with.registerScan(*scan);
+      EXPECT_EQ(rejected.outcome, outcome) << toString(rejected.outcome);
+      EXPECT_FALSE(rejected.scan);
+    }
+    EXPECT_EQ(with.registerScan(far).too_far, 50u);
+    EXPECT_EQ(with.registerScan(near).too_near, 30u);
+  }
+  EXPECT_EQ(with.map().points(), without.map().points());
+}
+
+TEST(Odometry, GivesTheSameBitsForAnyNumberOfThreads) {
+  const auto allowed = moreThreadsThanCores();
+  const Drive drive = driveInRoom(10);
+  Odometry one(roomConfig(1)), two(roomConfig(2)), four(roomConfig(4));
+  for (const Scan& scan : drive.scans) {
+    const auto expected = one.registerScan(scan).scan->T_odom_base.matrix();
+    EXPECT_EQ(two.registerScan(scan).scan->T_odom_base.matrix(), expected);
+    EXPECT_EQ(four.registerScan(scan).scan->T_odom_base.matrix(), expected);
+  }
+  EXPECT_EQ(four.map().points(), one.map().points());
+}
+
+TEST(Odometry, TakesOverRangesBetweenScans) {
+  const Drive drive = driveInRoom(2);
+  OdometryConfig config = roomConfig();
+  Odometry odometry(config);
+  EXPECT_EQ(odometry.registerScan(drive.scans[0]).too_far, 0u);
+  config.max_range = 10.0;
+  config.deskew = false;
+  odometry.reconfigure(config);
+  const auto result = odometry.registerScan(drive.scans[1]);
+  EXPECT_GT(result.too_far, 100u);
+  EXPECT_FALSE(result.scan->deskewed);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/odometry/preprocessing.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random_numbers.h"
+#include "support/threads.h"
+
+namespace revisit_slam {
+namespace {
+
+OdometryConfig ranges(double nearest, double farthest) {
+  OdometryConfig config;
+  config.min_range = nearest;
+  config.max_range = farthest;
+  return config;
+}
+
+Tangent driving() {
+  Tangent velocity;
+  velocity << 15, -1, 0.5, 0.3, -0.2, 1.5;
+  return velocity;
+}
+
+/// Random world points as a sensor sees them that moves with `velocity` until the scan's stamp.
+Scan seenWhileMoving(const Points& points_base, const Tangent& velocity, const Pose& T_base_sensor,
+                     RandomNumbers& random) {
+  Scan scan{{}, {}, {}, T_base_sensor};
+  for (const Eigen::Vector3f& point : points_base) {
+    const float time = static_cast<float>(random.uniform(-0.1, 0.0));
+    const Pose T_stamp_sensor = exp(time * velocity) * T_base_sensor;
+    scan.points.push_back((T_stamp_sensor.inverse() * point.cast<double>()).cast<float>());
+    scan.times.push_back(time);
+  }
+  return scan;
+}
+
+TEST(Preprocess, RangeLimitsAreKeptAndAreOfTheSensor) {
+  Scan scan;
+  scan.T_base_sensor.translation.x() = 100.0;
+  for (const float x : {0.99f, 1.0f, 5.0f, -10.0f, 10.01f, 20.0f, 0.1f})
+    scan.points.emplace_back(0.0f, x, 0.0f);
+  const PreprocessedScan result = preprocess(scan, ConstantMotion(), ranges(1.0, 10.0));
+  EXPECT_EQ(result.points_base, (Points{{100, 1, 0}, {100, 5, 0}, {100, -10, 0}}));
+  EXPECT_EQ(result.too_near, 2u);
+  EXPECT_EQ(result.too_far, 2u);
+  EXPECT_FALSE(result.deskewed);
+}
+
+TEST(Preprocess, KeepsTheOrderOfLargeScansAndCountsEveryPoint) {
+  RandomNumbers random(2);
+  for (const std::size_t count : {0u, 1u, 8191u, 8192u, 8193u, 50000u}) {
+    Scan scan;
+    scan.points = random.cloud(count, 10.0);
+    Points kept;
+    std::size_t too_near = 0;
+    for (const auto& point : scan.points) {
+      if (point.norm() >= 6.0f && point.norm() <= 9.0f) kept.push_back(point);
+      too_near += point.norm() < 6.0f;
+    }
+    const PreprocessedScan result = preprocess(scan, ConstantMotion(), ranges(6.0, 9.0));
+    EXPECT_EQ(result.points_base, kept);
+    EXPECT_EQ(result.too_near, too_near);
+    EXPECT_EQ(result.too_far, count - too_near - kept.size());
+  }
+}
+
+TEST(Preprocess, DeskewingUndoesAConstantMotion) {
+  RandomNumbers random(3);
+  for (const Pose& T_base_sensor : {Pose::identity(), random.pose(2.0)}) {
+    const Points truth = random.cloud(1000, 40.0);
+    const Scan scan = seenWhileMoving(truth, driving(), T_base_sensor, random);
+    const auto result = preprocess(scan, ConstantMotion(driving()), ranges(0.0, 200.0));
+    EXPECT_TRUE(result.deskewed);
+    ASSERT_EQ(result.points_base.size(), truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      EXPECT_LT((result.points_base[i] - truth[i]).norm(), 5e-5f);
+  }
+}
+
+TEST(Preprocess, WithoutTimesOrWhenToldSoPointsAreOnlyMovedToTheBase) {
+  RandomNumbers random(4);
+  const Pose T_base_sensor = random.pose(2.0);
+  Scan with_times = seenWhileMoving(random.cloud(100, 40.0), driving(), T_base_sensor, random);
+  Scan without_times = with_times;
+  without_times.times.clear();
+  OdometryConfig no_deskewing = ranges(0.0, 200.0);
+  no_deskewing.deskew = false;
+  const ConstantMotion motion(driving());
+  for (const auto& result : {preprocess(with_times, motion, no_deskewing),
+                             preprocess(without_times, motion, ranges(0.0, 200.0))}) {
+    EXPECT_FALSE(result.deskewed);
+    ASSERT_EQ(result.points_base.size(), 100u);
+    for (std::size_t i = 0; i < 100; ++i) {
+      const Eigen::Vector3d expected = T_base_sensor * with_times.points[i].cast<double>();
+      EXPECT_LT((result.points_base[i].cast<double>() - expected).norm(), 2e-5);
+    }
+  }
+}
+
+TEST(Preprocess, GivesTheSameBitsForAnyNumberOfThreads) {
+  RandomNumbers random(5);
+  const Scan scan = seenWhileMoving(random.cloud(60000, 60.0), driving(), random.pose(2.0), random);
+  const auto on = [&](int threads) {
+    return onThreads(threads, [&] {
+      return preprocess(scan, ConstantMotion(driving()), ranges(20.0, 60.0)).points_base;
+    });
+  };
+  const Points one = on(1);
+  EXPECT_LT(one.size(), scan.points.size());
+  EXPECT_EQ(on(2), one);
+  EXPECT_EQ(on(4), one);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ros/console.h>
+
+#include <mutex>
+#include <string>
+
+namespace revisit_slam {
+
+/// What this process, with the nodelets in it, logs while the object lives.
+class RosLog : public ros::console::LogAppender {
+ public:
+  RosLog() { ros::console::register_appender(this); }
+  ~RosLog() override { ros::console::deregister_appender(this); }
+
+  void log(ros::console::Level, const char* text, const char*, const char*, int) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    text_ += std::string(text) + "\n";
+  }
+  std::string text() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return text_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::string text_;
+};
+
+}  // namespace revisit_slam
