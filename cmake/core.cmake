@@ -3,6 +3,8 @@
 # them).
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(PCL REQUIRED COMPONENTS common io)
+find_package(Ceres REQUIRED)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tsl-robin-map REQUIRED)
@@ -16,7 +18,7 @@ if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
 endif()
 
-set(REVISIT_SLAM_CORE_FOLDERS core geometry input odometry information mapping pipeline io)
+set(REVISIT_SLAM_CORE_FOLDERS core geometry input odometry information mapping loops backend pipeline io)
 set(core_sources)
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
   file(GLOB folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)
@@ -29,8 +31,8 @@ target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/
 target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
 target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")
 target_link_libraries(revisit_slam_core
-  PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads
-  PRIVATE ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
+  PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
+  PRIVATE opencv_imgproc opencv_features2d ${CERES_LIBRARIES} ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
 
 file(GLOB simulation_sources CONFIGURE_DEPENDS src/simulation/*.cpp)
 add_library(revisit_slam_simulation STATIC ${simulation_sources})

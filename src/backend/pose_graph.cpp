@@ -2,6 +2,7 @@
 #include "revisit_slam/backend/pose_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -9,12 +10,12 @@ namespace revisit_slam {
 namespace {
 
 bool isFinite(const Pose& T) {
-  return T.translation.allFinite() && T.rotation.coeffs().allFinite();
+  return std::isfinite(T.translation.squaredNorm()) && T.rotation.coeffs().allFinite();
 }
 
 bool areFinite(const std::vector<Constraint>& constraints) {
   return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& constraint) {
-    return isFinite(constraint.T_from_to) && constraint.information.allFinite();
+    return isFinite(constraint.T_from_to) && std::isfinite(constraint.information.squaredNorm());
   });
 }
 

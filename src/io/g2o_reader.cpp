@@ -70,6 +70,7 @@ class G2oReading {
 
   void addEdge(G2oLine& line, int number) {
     const std::uint64_t from = line.id(), to = line.id();
+    if (from == to) throw std::runtime_error("an edge from a vertex to itself");
     const Pose T_from_to = line.pose();
     edges_.push_back({from, to, T_from_to, line.symmetric(), number});
   }

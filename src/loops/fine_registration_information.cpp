@@ -6,7 +6,30 @@
 namespace revisit_slam {
 namespace {
 
-constexpr int kPointsPerVoxel = 20;
+constexpr int kPointsPerVoxel = 100;
+/// Points along each side of a patch: their spacing is to be less than the samples' range.
+constexpr int kPatchSide = 4;
+
+/// The target's surfaces. Means of voxels lie on a lattice, and where two lattices have the same
+/// heading the distance between their points holds the pose along a wall as well as across it. So
+/// each planar voxel becomes a patch of its plane, `edge` metres wide.
+Points surfaces(const Submap& submap, double edge) {
+  const float step = static_cast<float>(edge) / kPatchSide;
+  const float first = 0.5f * step * (1 - kPatchSide);
+  Points points;
+  points.reserve(submap.points.size() * kPatchSide * kPatchSide);
+  for (std::size_t i = 0; i < submap.points.size(); ++i) {
+    points.push_back(submap.points[i]);
+    if (submap.normals[i].isZero()) continue;
+    const Eigen::Vector3f u = submap.normals[i].unitOrthogonal();
+    const Eigen::Vector3f v = submap.normals[i].cross(u);
+    for (int a = 0; a < kPatchSide; ++a)
+      for (int b = 0; b < kPatchSide; ++b)
+        points.push_back(submap.points[i] + (first + step * static_cast<float>(a)) * u +
+                         (first + step * static_cast<float>(b)) * v);
+  }
+  return points;
+}
 
 /// The points that the target reaches. Others are beyond tau for nearly all samples: they add a
 /// constant, which no derivative sees, and would only use up the estimator's share of points.
@@ -29,7 +52,7 @@ Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
   if (!enabled_) return Matrix6::Identity();
   const double tau = config_.information_distance;
   LocalVoxelMap map({tau, kPointsPerVoxel});
-  map.insert(target.points, Pose::identity());
+  map.insert(surfaces(target, config_.fitness_distance), Pose::identity());
   Points thinned;
   VoxelFilter().filter(source.points, config_.information_voxel_size, thinned);
   const Points points = matched(thinned, map, T_target_source, tau);

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/place_matching.h"
 
-#include <cstddef>
-
-// The bits of a word are counted by one instruction that not all x86-64 processors have; the loader
-// picks the version of a function that the processor can run. Both give the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__POPCNT__)
-#define REVISIT_SLAM_COUNTS_BITS __attribute__((target_clones("popcnt", "default")))
-#else
-#define REVISIT_SLAM_COUNTS_BITS
-#endif
-
 namespace revisit_slam {
 namespace {
 
@@ -27,9 +17,9 @@ Nearest nearest(const Descriptor& query, const Descriptor* descriptors, std::siz
   Nearest best{end, bound};
   for (std::size_t i = begin; i < end; ++i) {
     const Descriptor& d = descriptors[i];
-    int distance = __builtin_popcountll(query[0] ^ d[0]) + __builtin_popcountll(query[1] ^ d[1]);
+    int distance = differingBits(query, d, 0, 2);
     if (distance >= best.distance) continue;
-    distance += __builtin_popcountll(query[2] ^ d[2]) + __builtin_popcountll(query[3] ^ d[3]);
+    distance += differingBits(query, d, 2, 4);
     if (distance < best.distance) best = {i, distance};
   }
   return best;

@@ -28,7 +28,8 @@ Matrix6 covarianceOfEnd(const std::vector<Constraint>& chain) {
   problem.SetParameterBlockConstant(blocks[0].data());
   ceres::Covariance covariance{ceres::Covariance::Options()};
   const double* end = blocks.back().data();
-  EXPECT_TRUE(covariance.Compute({{end, end}}, &problem));
+  EXPECT_TRUE(covariance.Compute(std::vector<std::pair<const double*, const double*>>{{end, end}},
+                                 &problem));
   RowMajor6 result;
   EXPECT_TRUE(covariance.GetCovarianceBlockInTangentSpace(end, end, result.data()));
   return result;

@@ -6,9 +6,13 @@
 namespace revisit_slam {
 namespace {
 
-/// One of the loops of the drive says that the platform was 15 m aside and turned.
+LapDrive rightDrive() {
+  return lapDrive(1200, 300, 30);
+}
+
+/// A further loop says that the platform was 15 m aside and turned.
 LapDrive driveWithAWrongLoop() {
-  LapDrive drive = lapDrive(1200, 300, 30);
+  LapDrive drive = rightDrive();
   Constraint wrong = drive.graph.loops()[5];
   wrong.from.value += 60;
   wrong.T_from_to = wrong.T_from_to * Pose{expSO3({0.0, 0.0, 0.4}), {3.0, 15.0, 1.0}};
@@ -18,7 +22,8 @@ LapDrive driveWithAWrongLoop() {
 
 struct Case {
   const char* kernel;
-  double most_error, most_weight;  ///< m; of the wrong loop
+  double most_error;   ///< m, from the solution without the wrong loop
+  double most_weight;  ///< of the wrong loop
 };
 
 class SolverKernels : public testing::TestWithParam<Case> {};
@@ -29,7 +34,8 @@ TEST_P(SolverKernels, AWrongLoopPullsAsMuchAsTheKernelAllows) {
   const PoseGraphSolution solution = solve(drive.graph, configWith(kernel));
   EXPECT_EQ(solution.outcome, SolveOutcome::converged);
   EXPECT_LE(solution.final_cost, solution.initial_cost);
-  EXPECT_LT(positionError(solution.poses, drive.truth), most_error);
+  const std::vector<Pose> without = solve(rightDrive().graph, configWith(kernel)).poses;
+  EXPECT_LT(positionError(solution.poses, without), most_error);
   EXPECT_LT(solution.loops.back().weight, most_weight);
   if (most_weight > 0.1) return;
   for (std::size_t i = 0; i + 1 < solution.loops.size(); ++i)
@@ -38,13 +44,14 @@ TEST_P(SolverKernels, AWrongLoopPullsAsMuchAsTheKernelAllows) {
 
 INSTANTIATE_TEST_SUITE_P(AllKernels, SolverKernels,
                          testing::Values(Case{"none", 20.0, 1.1}, Case{"huber", 1.0, 0.1},
-                                         Case{"cauchy", 0.3, 1e-3},
-                                         Case{"geman_mcclure", 0.3, 1e-5}),
+                                         Case{"cauchy", 0.05, 1e-3},
+                                         Case{"geman_mcclure", 1e-3, 1e-5}),
                          [](const auto& info) { return std::string(info.param.kernel); });
 
 TEST(SolverKernels, WithoutAKernelAWrongLoopBendsTheMap) {
   const LapDrive drive = driveWithAWrongLoop();
-  EXPECT_GT(positionError(solve(drive.graph, configWith("none")).poses, drive.truth), 0.5);
+  const std::vector<Pose> without = solve(rightDrive().graph, configWith("none")).poses;
+  EXPECT_GT(positionError(solve(drive.graph, configWith("none")).poses, without), 0.5);
 }
 
 /// Drift lets right loops start with residuals of hundreds of scales, where the kernel's own slope

@@ -5,14 +5,16 @@
 
 #include <memory>
 
+#include "revisit_slam/geometry/se3.h"
+
 namespace revisit_slam {
 namespace {
 
 /// A submap of 25 m along x, in steps of 1 m.
 PlacedSubmap placed(double x, double y, double yaw = 0.0) {
   auto submap = std::make_shared<Submap>();
-  for (int i = 0; i <= 25; ++i) submap->T_submap_scan.push_back({{}, {1.0 * i, 0, 0}});
-  for (Pose& T : submap->T_submap_scan) T.rotation.setIdentity();
+  submap->T_submap_scan.resize(26);
+  for (int i = 0; i <= 25; ++i) submap->T_submap_scan[i].translation.x() = i;
   return {submap, {expSO3({0, 0, yaw}), {x, y, 0}}};
 }
 

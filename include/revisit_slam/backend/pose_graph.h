@@ -38,7 +38,7 @@ class PoseGraph {
   std::vector<Constraint> loops_;  ///< by LoopId
 };
 
-/// Whether every number in the graph is finite.
+/// Whether every number in the graph is finite, and not so large that its square is not.
 bool isFinite(const PoseGraph& graph);
 
 }  // namespace revisit_slam

@@ -33,7 +33,7 @@ struct FineRegistrationConfig {
     v("min_correspondences", min_correspondences, Range{6, 1000000}, "",
       "with fewer matched points there is no result");
     v("fitness_distance", fitness_distance, Range{0.05, 10.0}, "m",
-      "a voxel has a counterpart where one of the other submap is nearer than this…");
+      "the edge of a submap's voxels: one has a counterpart where another is nearer than this…");
     v("fitness_plane_distance", fitness_plane_distance, Range{0.01, 10.0}, "m",
       "… and nearer than this to its plane, where there is one");
     v("information_voxel_size", information_voxel_size, Range{0.1, 10.0}, "m",

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "revisit_slam/loops/density_image.h"
+#include "revisit_slam/loops/place_descriptor.h"
 
 namespace revisit_slam {
-
-/// 256 binary comparisons around a pixel (ORB).
-using Descriptor = std::array<std::uint64_t, 4>;
 
 /// Where a feature lies in the grid of a level frame (ORB's corners in one octave lie on whole
 /// pixels) and how it is turned: the direction from it to the centroid of its patch, radians from x

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/loops/place_features.h"
+#include "revisit_slam/loops/place_descriptor.h"
 
 namespace revisit_slam {
 

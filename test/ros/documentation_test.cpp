@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Holds the tables of README.md against the code. UPDATE_README=1 writes the table of parameters.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "revisit_slam/pipeline/slam_config.h"
+
+namespace revisit_slam {
+namespace {
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The first group of every match.
+std::set<std::string> findAll(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it)
+    found.insert((*it)[1]);
+  return found;
+}
+
+std::string textOfFolder(const std::string& folder, const std::string& extension) {
+  std::string text;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == extension) text += textOf(entry.path());
+  return text;
+}
+
+/// Names with their groups of the parameters in cfg/*.cfg.
+std::set<std::string> liveParameters() {
+  std::set<std::string> live;
+  for (const auto& entry : std::filesystem::directory_iterator("cfg")) {
+    const std::string text = textOf(entry.path());
+    const std::set<std::string> groups = findAll(text, R"re(generate\("revisit_slam", "(\w+)")re");
+    for (const std::string& name : findAll(text, R"re(gen\.add\("(\w+)")re"))
+      for (const std::string& group : groups) live.insert(group + "/" + name);
+  }
+  return live;
+}
+
+std::string parameterTable() {
+  SlamConfig config;
+  const std::set<std::string> live = liveParameters();
+  std::ostringstream table;
+  table << "\n| parameter | default | allowed | |\n|---|---|---|---|\n";
+  for (const Parameter& parameter : parametersOf(config))
+    table << "| `" << parameter.name << "` | " << valueText(parameter) << " | "
+          << std::regex_replace(allowedText(parameter), std::regex(R"( \| )"), ", ") << " | "
+          << parameter.description << (live.count(parameter.name) ? " *(live)*" : "") << " |\n";
+  return table.str() + "\n";
+}
+
+TEST(Documentation, TheTableOfParametersIsThatOfTheCode) {
+  std::string readme = textOf("README.md");
+  const std::string begin_mark = "documentation_test.cpp) -->\n", end_mark = "<!-- parameters: end";
+  const std::size_t begin = readme.find(begin_mark) + begin_mark.size();
+  const std::size_t end = readme.find(end_mark);
+  ASSERT_LT(begin, end);
+  if (std::getenv("UPDATE_README")) {
+    readme.replace(begin, end - begin, parameterTable());
+    std::ofstream("README.md") << readme;
+  } else {
+    EXPECT_EQ(readme.substr(begin, end - begin), parameterTable());
+  }
+}
+
+TEST(Documentation, EveryTopicAndServiceStandsInATable) {
+  const std::string nodelets = textOfFolder("src/nodelets", ".cpp");
+  const std::set<std::string> documented = findAll(textOf("README.md"), "\\|[^|\n]*`([\\w/]+)`");
+  const auto names = findAll(nodelets, R"re((?:advertise|subscribe)(?:<[\w:]+>)?\(\s*"([\w/]+)")re");
+  ASSERT_GE(names.size(), 8u);
+  for (const std::string& name : names) EXPECT_EQ(documented.count(name), 1u) << name;
+  for (const std::string& service : findAll(nodelets, R"re(advertiseService\("(\w+)")re"))
+    EXPECT_EQ(documented.count("odometry/" + service), 1u) << service;
+}
+
+TEST(Documentation, TheFirstCommandStandsWithin35Lines) {
+  std::istringstream readme(textOf("README.md"));
+  std::string line;
+  int number = 0;
+  while (std::getline(readme, line) && line != "scripts/demo") ++number;
+  EXPECT_LT(number, 35);
+}
+
+TEST(Documentation, EveryHeaderOfTheSymbolTableExists) {
+  for (const std::string& header : findAll(textOf("README.md"), "`((?:\\w+/)+\\w+\\.h)`"))
+    EXPECT_TRUE(std::filesystem::exists("include/revisit_slam/" + header)) << header;
+}
+
+}  // namespace
+}  // namespace revisit_slam
