@@ -25,7 +25,8 @@ constexpr double kCoarseConvergence = 4e-4;
 
 /// A transform in the precision of the points.
 struct FloatPose {
-  explicit FloatPose(const Pose& T) : R(T.rotationMatrix().cast<float>()), t(T.translation.cast<float>()) {}
+  explicit FloatPose(const Pose& T)
+      : R(T.rotationMatrix().cast<float>()), t(T.translation.cast<float>()) {}
 
   Surfel operator*(const Surfel& a) const { return {R * a.point + t, R * a.normal}; }
 
@@ -42,9 +43,9 @@ void addCorrespondence(const Surfel& source, const Surfel& target, const FloatPo
       (T.R.transpose() * (T.R * source.point + T.t - target.point)).cast<double>();
   ++equations.count;
   if (target.hasNormal() || source.hasNormal()) {
-    const Eigen::Vector3d m = target.hasNormal()
-                                  ? Eigen::Vector3d((T.R.transpose() * target.normal).cast<double>())
-                                  : Eigen::Vector3d(source.normal.cast<double>());
+    const Eigen::Vector3d m =
+        target.hasNormal() ? Eigen::Vector3d((T.R.transpose() * target.normal).cast<double>())
+                           : Eigen::Vector3d(source.normal.cast<double>());
     const double e = m.dot(r);
     equations.squares += e * e;
     equations.add(p, m, e, robustWeight(e * e, scale));
@@ -76,9 +77,12 @@ float planeDistance(const Surfel& a, const Surfel& b) {
 
 const char* toString(FineRegistrationOutcome outcome) {
   switch (outcome) {
-    case FineRegistrationOutcome::converged: return "converged";
-    case FineRegistrationOutcome::max_iterations: return "stopped at the largest number of iterations";
-    case FineRegistrationOutcome::too_few_correspondences: return "too few correspondences";
+    case FineRegistrationOutcome::converged:
+      return "converged";
+    case FineRegistrationOutcome::max_iterations:
+      return "stopped at the largest number of iterations";
+    case FineRegistrationOutcome::too_few_correspondences:
+      return "too few correspondences";
   }
   return "unknown";
 }
@@ -181,8 +185,8 @@ double FineRegistration::coherence(const RegistrationCloud& a, const Registratio
   double worst = 1.0;
   for (std::size_t direction = 0; direction < kDirections; ++direction)
     if (near[direction] >= kFewestForCoherence)
-      worst = std::min(worst, static_cast<double>(fitting[direction]) /
-                                  static_cast<double>(near[direction]));
+      worst = std::min(
+          worst, static_cast<double>(fitting[direction]) / static_cast<double>(near[direction]));
   return worst;
 }
 

@@ -15,8 +15,9 @@ using Counts = std::array<std::size_t, kDirections>;
 /// Shares `count` among groups: a group that is smaller than its share leaves the rest to others.
 Counts shares(const Counts& sizes, std::size_t count) {
   std::array<std::size_t, kDirections> order{0, 1, 2, 3};
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return std::pair(sizes[a], a) < std::pair(sizes[b], b); });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(sizes[a], a) < std::pair(sizes[b], b);
+  });
   Counts taken{};
   for (std::size_t i = 0; i < kDirections; ++i) {
     taken[order[i]] = std::min(sizes[order[i]], count / (kDirections - i));
@@ -25,7 +26,9 @@ Counts shares(const Counts& sizes, std::size_t count) {
   return taken;
 }
 
-Voxel cellOf(const Eigen::Vector3f& point, float edge) { return voxelOf<float>(point / edge); }
+Voxel cellOf(const Eigen::Vector3f& point, float edge) {
+  return voxelOf<float>(point / edge);
+}
 
 }  // namespace
 

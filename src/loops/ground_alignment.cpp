@@ -19,6 +19,7 @@ constexpr double kColumn = 1.0;         // m
 constexpr std::size_t kMinColumns = 10;
 constexpr double kCoarsestScale = 8.0;  // m, above which a column counts little
 constexpr double kFinestScale = 0.5;    // m
+constexpr int kStepsPerScale = 3;
 constexpr double kFarthest = 1e5;       // m; no map is as large
 
 /// The lowest point of each column, in the level frame.
@@ -69,10 +70,9 @@ Plane refit(const Plane& plane, const Ground& ground, double scale) {
 }
 
 /// From a wide kernel to a narrow one, so that a wrong start does not decide what is ground.
-Plane fitPlane(const Ground& ground) {
-  Plane plane{medianHeight(ground)};
-  for (double scale = kCoarsestScale; scale >= kFinestScale; scale *= 0.5)
-    for (int i = 0; i < 5; ++i) plane = refit(plane, ground, scale);
+Plane fitPlane(const Ground& ground, Plane plane, double coarsest_scale) {
+  for (double scale = coarsest_scale; scale >= kFinestScale; scale *= 0.5)
+    for (int i = 0; i < kStepsPerScale; ++i) plane = refit(plane, ground, scale);
   return plane;
 }
 
@@ -86,12 +86,11 @@ Pose levelling(const Plane& plane) {
 }  // namespace
 
 Pose levelOnGround(const Points& points_local) {
-  Pose T_level_local;
-  for (int i = 0; i < 3; ++i) {  // once level, the columns hold other points
-    const Ground ground = lowestPoints(points_local, T_level_local);
-    if (ground.size() < kMinColumns) return {};
-    T_level_local = levelling(fitPlane(ground)) * T_level_local;
-  }
+  Ground ground = lowestPoints(points_local, {});
+  if (ground.size() < kMinColumns) return {};
+  Pose T_level_local = levelling(fitPlane(ground, {medianHeight(ground)}, kCoarsestScale));
+  ground = lowestPoints(points_local, T_level_local);  // once level, columns hold other points
+  T_level_local = levelling(fitPlane(ground, {}, 2.0 * kFinestScale)) * T_level_local;
   const Eigen::Vector3d up = T_level_local.rotation.conjugate() * Eigen::Vector3d::UnitZ();
   const auto without_yaw = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());
   return {without_yaw, T_level_local.translation};

@@ -42,13 +42,20 @@ LoopConstraint constraintOf(const Submap& source, const Submap& target,
 
 const char* toString(LoopOutcome outcome) {
   switch (outcome) {
-    case LoopOutcome::accepted: return "accepted";
-    case LoopOutcome::too_few_correspondences: return "too few correspondences";
-    case LoopOutcome::not_converged: return "not converged";
-    case LoopOutcome::low_fitness: return "low fitness";
-    case LoopOutcome::incoherent: return "incoherent";
-    case LoopOutcome::far_from_guess: return "far from the guess";
-    case LoopOutcome::disagreement: return "disagreement";
+    case LoopOutcome::accepted:
+      return "accepted";
+    case LoopOutcome::too_few_correspondences:
+      return "too few correspondences";
+    case LoopOutcome::not_converged:
+      return "not converged";
+    case LoopOutcome::low_fitness:
+      return "low fitness";
+    case LoopOutcome::incoherent:
+      return "incoherent";
+    case LoopOutcome::far_from_guess:
+      return "far from the guess";
+    case LoopOutcome::disagreement:
+      return "disagreement";
   }
   return "unknown";
 }
@@ -60,8 +67,8 @@ LoopCloser::LoopCloser(const LoopCloserConfig& config, const InformationConfig& 
 
 std::vector<LoopProposal> LoopCloser::close(const LocalMap& source, const LocalMap& target,
                                             const Pose& T_target_source, LoopOrigin origin) const {
-  return close(placeByOdometry(source, T_target_source),
-               placeByOdometry(target, Pose::identity()), origin);
+  return close(placeByOdometry(source, T_target_source), placeByOdometry(target, Pose::identity()),
+               origin);
 }
 
 std::vector<LoopProposal> LoopCloser::close(const std::vector<PlacedSubmap>& sources,
@@ -73,9 +80,8 @@ std::vector<LoopProposal> LoopCloser::close(const std::vector<PlacedSubmap>& sou
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (proposals[i].outcome == LoopOutcome::accepted) {
       Constraint& constraint = proposals[i].loop.constraint;
-      constraint.information =
-          information_.estimate(*sources[pairs[i].source].submap,
-                                *targets[pairs[i].target].submap, constraint.T_from_to);
+      constraint.information = information_.estimate(
+          *sources[pairs[i].source].submap, *targets[pairs[i].target].submap, constraint.T_from_to);
     }
   return proposals;
 }
@@ -127,10 +133,9 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (proposals[i].outcome != LoopOutcome::accepted) continue;
     candidates.push_back(i);
-    registered.push_back({targets[pairs[i].target].T_common_submap,
-                          sources[pairs[i].source].T_common_submap,
-                          proposals[i].registration.T_target_source,
-                          proposals[i].registration.fitness});
+    registered.push_back(
+        {targets[pairs[i].target].T_common_submap, sources[pairs[i].source].T_common_submap,
+         proposals[i].registration.T_target_source, proposals[i].registration.fitness});
   }
   const std::vector<bool> belongs = majority(registered, config_.agreement);
   for (std::size_t i = 0; i < candidates.size(); ++i)

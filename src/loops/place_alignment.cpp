@@ -31,55 +31,83 @@ Eigen::Isometry2d leastSquares(const Pairs& pairs) {
   return T;
 }
 
+/// For angles within some turns of each other.
 bool areAlike(double angle, double other, double tolerance) {
-  return std::abs(std::remainder(angle - other, 2.0 * M_PI)) <= tolerance;
+  double difference = std::abs(angle - other);
+  while (difference > M_PI) difference = std::abs(difference - 2.0 * M_PI);
+  return difference <= tolerance;
 }
 
 double squaredError(const Eigen::Isometry2d& T, const PointPair& pair) {
   return (T * pair.source - pair.target).squaredNorm();
 }
 
-Pairs inliersOf(const Eigen::Isometry2d& T, const Pairs& pairs,
-                const PlanarAlignmentConfig& config) {
+void findInliers(const Eigen::Isometry2d& T, const Pairs& pairs,
+                 const PlanarAlignmentConfig& config, Pairs& inliers) {
   const double turn = Eigen::Rotation2Dd(T.linear()).angle();
-  Pairs inliers;
+  inliers.clear();
   for (const PointPair& pair : pairs)
     if (squaredError(T, pair) < config.inlier_radius * config.inlier_radius &&
         areAlike(pair.turn, turn, config.max_turn))
       inliers.push_back(pair);
-  return inliers;
 }
 
 /// Whether a rigid motion can bring both pairs within the radius, and whether they are far enough
 /// from each other to tell its rotation.
 bool fitTogether(const PointPair& a, const PointPair& b, const PlanarAlignmentConfig& config) {
-  if (!areAlike(a.turn, b.turn, 2.0 * config.max_turn)) return false;
   const double source = (a.source - b.source).norm(), target = (a.target - b.target).norm();
   const double play = 2.0 * config.inlier_radius;
   return std::min(source, target) > play && std::abs(source - target) < play;
 }
 
-/// Calls visit(i, j) for all i < j, or for a seeded choice of them.
-template <typename Visit>
-void forEachSample(std::size_t count, const PlanarAlignmentConfig& config, const Visit& visit) {
-  if (count * (count - 1) / 2 <= static_cast<std::size_t>(config.samples)) {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j) visit(i, j);
-    return;
+/// Pairs in the order of their turns, which are in [0, 2 pi), and once more a turn later.
+Pairs inTwoTurns(Pairs pairs) {
+  for (PointPair& pair : pairs) pair.turn -= 2.0 * M_PI * std::floor(pair.turn / (2.0 * M_PI));
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const PointPair& a, const PointPair& b) { return a.turn < b.turn; });
+  const std::size_t count = pairs.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    pairs.push_back(pairs[i]);
+    pairs.back().turn += 2.0 * M_PI;
   }
-  std::mt19937 random(config.seed);
-  for (int sample = 0; sample < config.samples; ++sample) {
-    const std::size_t i = random() % count;
-    visit(i, (i + 1 + random() % (count - 1)) % count);
-  }
+  return pairs;
 }
 
+/// Calls visit(a, b) for all two pairs whose turns can both agree with one alignment.
+template <typename Visit>
+void forEachSample(const Pairs& twice, const PlanarAlignmentConfig& config, const Visit& visit) {
+  const std::size_t count = twice.size() / 2;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < i + count; ++j) {
+      if (twice[j].turn - twice[i].turn > 2.0 * config.max_turn) break;
+      visit(twice[i], twice[j]);
+    }
+}
+
+/// Chooses among so many samples those to try: all, or a seeded choice of about `samples`.
+class SampleChoice {
+ public:
+  SampleChoice(std::size_t count, const PlanarAlignmentConfig& config)
+      : count_(count), wanted_(static_cast<std::size_t>(config.samples)), random_(config.seed) {}
+
+  bool next() { return count_ <= wanted_ || random_() % count_ < wanted_; }
+
+ private:
+  std::size_t count_, wanted_;
+  std::minstd_rand random_;
+};
+
 Pairs largestConsensus(const Pairs& pairs, const PlanarAlignmentConfig& config) {
-  Pairs best;
-  forEachSample(pairs.size(), config, [&](std::size_t i, std::size_t j) {
-    if (!fitTogether(pairs[i], pairs[j], config)) return;
-    Pairs inliers = inliersOf(leastSquares({pairs[i], pairs[j]}), pairs, config);
-    if (inliers.size() > best.size()) best = std::move(inliers);
+  const Pairs twice = inTwoTurns(pairs);
+  std::size_t count = 0;
+  forEachSample(twice, config, [&](const PointPair&, const PointPair&) { ++count; });
+  SampleChoice choice(count, config);
+  Pairs best, sample(2), inliers;
+  forEachSample(twice, config, [&](const PointPair& a, const PointPair& b) {
+    if (!choice.next() || !fitTogether(a, b, config)) return;
+    sample = {a, b};
+    findInliers(leastSquares(sample), pairs, config, inliers);
+    if (inliers.size() > best.size()) std::swap(best, inliers);
   });
   return best;
 }
@@ -87,7 +115,8 @@ Pairs largestConsensus(const Pairs& pairs, const PlanarAlignmentConfig& config) 
 /// As long as more pairs agree with the estimate from all that agreed before.
 Pairs grown(Pairs inliers, const Pairs& pairs, const PlanarAlignmentConfig& config) {
   for (;;) {
-    Pairs again = inliersOf(leastSquares(inliers), pairs, config);
+    Pairs again;
+    findInliers(leastSquares(inliers), pairs, config, again);
     if (again.size() <= inliers.size()) return inliers;
     inliers = std::move(again);
   }

@@ -41,7 +41,8 @@ TEST(OfflineBags, recordingThatWasNotClosedAsksForReindexing) {
   const TemporaryFolder folder;
   const std::string closed = folder.file("closed.bag"), open = folder.file("open.bag");
   rosbag::Bag bag(closed, rosbag::bagmode::Write);
-  for (const auto& cloud : toClouds(driveInRoom(20))) bag.write("/points", cloud.header.stamp, cloud);
+  for (const auto& cloud : toClouds(driveInRoom(20)))
+    bag.write("/points", cloud.header.stamp, cloud);
   std::filesystem::copy_file(closed, open);
   bag.close();
   const OfflineProgram run(open);

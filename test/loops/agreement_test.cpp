@@ -28,7 +28,8 @@ TEST(Agreement, AcceptsPairsThatShareTheErrorOfTheGuess) {
 TEST(Agreement, DropsAPlantedWrongPair) {
   for (std::size_t wrong = 0; wrong < 4; ++wrong) {
     auto pairs = consistentPairs(kError);
-    pairs[wrong].T_target_source = pairs[wrong].T_target_source * Pose{expSO3({0, 0, 0}), {5, 0, 0}};
+    pairs[wrong].T_target_source =
+        pairs[wrong].T_target_source * Pose{expSO3({0, 0, 0}), {5, 0, 0}};
     std::vector<bool> expected(4, true);
     expected[wrong] = false;
     EXPECT_EQ(majority(pairs, {}), expected);
@@ -45,7 +46,8 @@ TEST(Agreement, AllowsForDrift) {
   auto pairs = consistentPairs(kError);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     pairs[i].T_target_source =
-        pairs[i].T_target_source * Pose{expSO3({0, 0, 0.002 * static_cast<double>(i)}), {0.2 * static_cast<double>(i), 0, 0}};
+        pairs[i].T_target_source *
+        Pose{expSO3({0, 0, 0.002 * static_cast<double>(i)}), {0.2 * static_cast<double>(i), 0, 0}};
   EXPECT_EQ(majority(pairs, {}), std::vector<bool>(4, true));
 }
 

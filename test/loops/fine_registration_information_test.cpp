@@ -30,8 +30,8 @@ TEST(LoopInformation, IsWeakAlongACorridor) {
 }
 
 TEST(LoopInformation, IsInTheFrameOfTheSource) {
-  const Matrix6 L = informationIn(SyntheticStreet::corridor(1), SyntheticStreet::corridor(2),
-                                  M_PI / 2);
+  const Matrix6 L =
+      informationIn(SyntheticStreet::corridor(1), SyntheticStreet::corridor(2), M_PI / 2);
   EXPECT_LT(L(1, 1), 0.1 * L(0, 0));  // the source looks across: the corridor is along its y
 }
 

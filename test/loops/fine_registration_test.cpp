@@ -31,7 +31,8 @@ Tangent guessError(double metres, double degrees, RandomNumbers& random) {
   Tangent e = Tangent::Zero();
   const double azimuth = random.uniform(0, 2 * M_PI);
   e.head<2>() = metres * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
-  e.tail<3>() = degrees * M_PI / 180.0 * Eigen::Vector3d(0.1, -0.1, random.uniform(-1, 1) > 0 ? 1 : -1).normalized();
+  e.tail<3>() = degrees * M_PI / 180.0 *
+                Eigen::Vector3d(0.1, -0.1, random.uniform(-1, 1) > 0 ? 1 : -1).normalized();
   return e;
 }
 
@@ -49,8 +50,12 @@ void expectRecovered(const Visits& visits, double metres, double degrees, unsign
   }
 }
 
-TEST(FineRegistration, RecoversASmallOffset) { expectRecovered(visitTwice(3, 28), 1.0, 2.0, 21); }
-TEST(FineRegistration, RecoversALargeOffset) { expectRecovered(visitTwice(3, 28), 2.0, 5.0, 22); }
+TEST(FineRegistration, RecoversASmallOffset) {
+  expectRecovered(visitTwice(3, 28), 1.0, 2.0, 21);
+}
+TEST(FineRegistration, RecoversALargeOffset) {
+  expectRecovered(visitTwice(3, 28), 2.0, 5.0, 22);
+}
 TEST(FineRegistration, RecoversTheOppositeDirection) {
   expectRecovered(visitTwice(35, 10), 1.5, 4.0, 23);
 }

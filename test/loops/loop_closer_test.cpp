@@ -13,8 +13,7 @@ namespace {
 LocalMapPtr localMapOf(SyntheticStreet street, const std::vector<Pose>& T_street_scan,
                        unsigned first_scan) {
   MapHierarchy hierarchy{MappingConfig{}};
-  for (const Pose& T : T_street_scan)
-    hierarchy.insert({first_scan++}, {}, T, street.scan(T));
+  for (const Pose& T : T_street_scan) hierarchy.insert({first_scan++}, {}, T, street.scan(T));
   return hierarchy.closeAll().local_map;
 }
 
@@ -53,8 +52,7 @@ TEST_F(LoopCloserTest, RejectsAnotherStreet) {
   const auto elsewhere = localMapOf(SyntheticStreet(9, 2), drive(52, 2, 2.0), 100);
   const auto proposals = close(*elsewhere, error_);
   EXPECT_FALSE(proposals.empty());
-  for (const LoopProposal& proposal : proposals)
-    EXPECT_NE(proposal.outcome, LoopOutcome::accepted);
+  for (const LoopProposal& proposal : proposals) EXPECT_NE(proposal.outcome, LoopOutcome::accepted);
 }
 
 TEST_F(LoopCloserTest, DoesNotDependOnThreads) {

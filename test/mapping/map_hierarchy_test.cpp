@@ -93,7 +93,8 @@ TEST(MapHierarchy, LocalMapIsTheUnionOfItsSubmaps) {
 
 TEST(MapHierarchy, WalksInCirclesEndByThePathLength) {
   std::vector<Pose> poses;
-  for (int i = 0; i < 450; ++i) poses.push_back({expSO3({0, 0, 0.2 * i}), {5 * std::cos(0.2 * i), 5 * std::sin(0.2 * i), 0}});
+  for (int i = 0; i < 450; ++i)
+    poses.push_back({expSO3({0, 0, 0.2 * i}), {5 * std::cos(0.2 * i), 5 * std::sin(0.2 * i), 0}});
   const Closed closed = mapsOf(poses);  // chords of just below 1 m
   ASSERT_EQ(closed.local_maps.size(), 3u);
   EXPECT_EQ(closed.submaps[0]->stamps.size(), 51u);

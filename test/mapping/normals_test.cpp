@@ -12,8 +12,7 @@ namespace {
 /// Means of a 20 x 20 m plane through `centre` with 2 cm noise.
 VoxelMeans plane(const Eigen::Vector3d& normal, const Eigen::Vector3d& centre) {
   RandomNumbers random(3);
-  const Eigen::Quaterniond R =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
+  const Eigen::Quaterniond R = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
   Points points;
   for (int i = 0; i < 20000; ++i)
     points.push_back((centre + R * Eigen::Vector3d(random.uniform(-10, 10), random.uniform(-10, 10),

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <fcntl.h>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,9 +20,11 @@ namespace revisit_slam {
 class ChildProcess {
  public:
   /// `arguments` starts with the program, which is looked for in PATH.
-  explicit ChildProcess(const std::vector<std::string>& arguments, const std::string& folder = ".") {
+  explicit ChildProcess(const std::vector<std::string>& arguments,
+                        const std::string& folder = ".") {
     std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    for (const std::string& argument : arguments)
+      argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     const std::string log = log_folder_.with("output", "");
     process_ = fork();

@@ -33,8 +33,10 @@ bool becomesTrue(const Condition& condition, double seconds = 30.0) {
 class OdometryListener {
  public:
   /// `space`: namespace of the nodelet, with a slash at its end.
-  explicit OdometryListener(const std::string& space = "/") : status_name_(space + "odometry: odometry") {
-    odometry_subscriber_ = node_.subscribe(space + "odometry_raw", 1000, &OdometryListener::onOdometry, this);
+  explicit OdometryListener(const std::string& space = "/")
+      : status_name_(space + "odometry: odometry") {
+    odometry_subscriber_ =
+        node_.subscribe(space + "odometry_raw", 1000, &OdometryListener::onOdometry, this);
     diagnostics_subscriber_ =
         node_.subscribe("/diagnostics", 1000, &OdometryListener::onDiagnostics, this);
   }
@@ -81,8 +83,8 @@ class OdometryListener {
   void onOdometry(const nav_msgs::Odometry& odometry) {
     const auto& [p, q] = odometry.pose.pose;
     const std::lock_guard<std::mutex> lock(mutex_);
-    trajectory_.push_back({toStamp(odometry.header.stamp),
-                           {{q.w, q.x, q.y, q.z}, {p.x, p.y, p.z}}});
+    trajectory_.push_back(
+        {toStamp(odometry.header.stamp), {{q.w, q.x, q.y, q.z}, {p.x, p.y, p.z}}});
   }
   void onDiagnostics(const diagnostic_msgs::DiagnosticArray& array) {
     const std::lock_guard<std::mutex> lock(mutex_);

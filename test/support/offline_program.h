@@ -13,7 +13,8 @@ namespace revisit_slam {
 class OfflineProgram {
  public:
   explicit OfflineProgram(const std::string& bag, const std::vector<std::string>& options = {}) {
-    std::vector<std::string> arguments{REVISIT_SLAM_OFFLINE_PROGRAM, "--bag", bag, "--out", results("")};
+    std::vector<std::string> arguments{REVISIT_SLAM_OFFLINE_PROGRAM, "--bag", bag, "--out",
+                                       results("")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     ChildProcess process(arguments);
     status = process.wait(60.0);

@@ -10,7 +10,8 @@
 namespace revisit_slam {
 
 /// Records the clouds 0.1 s after one another, whatever their own stamps are.
-inline void writeScanBag(const std::string& path, const std::vector<sensor_msgs::PointCloud2>& clouds,
+inline void writeScanBag(const std::string& path,
+                         const std::vector<sensor_msgs::PointCloud2>& clouds,
                          const std::string& topic = "/points") {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   ros::Time received = clouds.front().header.stamp;

@@ -8,8 +8,8 @@
 
 namespace revisit_slam {
 
-/// A straight street along x from -60 to `length` + 60 m: ground, houses that stand forward and back
-/// with gaps between, poles. As a corridor: two bare walls, floor and ceiling.
+/// A straight street along x from -60 to `length` + 60 m: ground, houses that stand forward and
+/// back with gaps between, poles. As a corridor: two bare walls, floor and ceiling.
 class SyntheticStreet {
  public:
   /// `layout`: the same number is the same street. `sampling`: where the points fall.
@@ -73,8 +73,7 @@ inline Pose poseAt(double x, double y, double yaw = 0.0) {
 inline Submap submapOf(SyntheticStreet& street, const std::vector<Pose>& T_street_scan) {
   SubmapBuilder builder(0.5);
   unsigned id = 0;
-  for (const Pose& T : T_street_scan)
-    builder.insert({id++}, Stamp{}, T, street.scan(T));
+  for (const Pose& T : T_street_scan) builder.insert({id++}, Stamp{}, T, street.scan(T));
   return builder.close({}, {});
 }
 

@@ -18,7 +18,8 @@ struct AgreementConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("translation", translation, Range{0.0, 100.0}, "m", "registrations of one place agree within");
+    v("translation", translation, Range{0.0, 100.0}, "m",
+      "registrations of one place agree within");
     v("translation_drift", translation_drift, Range{0.0, 1.0}, "",
       "metres more for each metre between the places");
     v("rotation", rotation, Range{0.0, 180.0}, "deg", "registrations of one place agree within");
@@ -40,7 +41,6 @@ bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConf
 
 /// For each pair, whether it belongs to the majority: the pairs that agree with the one that most
 /// agree with. Fewer than or exactly half of all are no majority; a single pair is one.
-std::vector<bool> majority(const std::vector<RegisteredPair>& pairs,
-                           const AgreementConfig& config);
+std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, const AgreementConfig& config);
 
 }  // namespace revisit_slam

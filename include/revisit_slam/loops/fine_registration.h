@@ -20,13 +20,13 @@ const char* toString(FineRegistrationOutcome outcome);
 struct FineRegistrationResult {
   Pose T_target_source;
   FineRegistrationOutcome outcome = FineRegistrationOutcome::too_few_correspondences;
-  int iterations = 0;           ///< of all levels
-  std::size_t inliers = 0;      ///< correspondences at the last iterate
-  double rms = 0.0;             ///< m, of their residuals, point to plane where there is one
-  double fitness = 0.0;         ///< s_rk, 0 … 1: the smaller share of voxels with a counterpart
+  int iterations = 0;       ///< of all levels
+  std::size_t inliers = 0;  ///< correspondences at the last iterate
+  double rms = 0.0;         ///< m, of their residuals, point to plane where there is one
+  double fitness = 0.0;     ///< s_rk, 0 … 1: the smaller share of voxels with a counterpart
   /// 0 … 1, however much the submaps overlap: of the planar voxels that have a surface of the other
-  /// submap near, the share that lies in it, for the main direction of normals where it is least. Where
-  /// walls stand beside walls, the ground alone still makes a high fitness; this tells.
+  /// submap near, the share that lies in it, for the main direction of normals where it is least.
+  /// Where walls stand beside walls, the ground alone still makes a high fitness; this tells.
   double coherence = 0.0;
 };
 
@@ -49,9 +49,9 @@ class RegistrationCloud {
   SurfelGrid fitness_grid_;
 };
 
-/// Registers one submap to another from a guess that is off by metres and degrees: point-to-plane ICP
-/// on voxel means, coarse to fine, with robust weights. The reach of the correspondences halves from
-/// level to level, and with it the spacing of the points and the scale of the weights.
+/// Registers one submap to another from a guess that is off by metres and degrees: point-to-plane
+/// ICP on voxel means, coarse to fine, with robust weights. The reach of the correspondences halves
+/// from level to level, and with it the spacing of the points and the scale of the weights.
 class FineRegistration {
  public:
   explicit FineRegistration(const FineRegistrationConfig& config) : config_(config) {}

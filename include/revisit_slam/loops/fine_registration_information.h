@@ -9,8 +9,8 @@
 namespace revisit_slam {
 
 /// Lambda_lc (paper Sec. III-C): the objective of point-to-point ICP of the source submap to the
-/// target submap, sampled as that of a scan is (Sec. III-B). The source is thinned like a scan of the
-/// odometry: neighbouring voxels share their drift, and an edge of either kind weighs alike.
+/// target submap, sampled as that of a scan is (Sec. III-B). The source is thinned like a scan of
+/// the odometry: neighbouring voxels share their drift, and an edge of either kind weighs alike.
 class LoopInformation {
  public:
   LoopInformation(const InformationConfig& information, const FineRegistrationConfig& registration);

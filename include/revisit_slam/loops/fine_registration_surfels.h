@@ -52,8 +52,8 @@ class SurfelGrid {
 
   /// The nearest compatible surfel within `distance` <= reach, or null. `guess`: one of this grid
   /// that may be near, which saves looking farther.
-  const Surfel* nearest(const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
-                        float distance, const Surfel* guess = nullptr) const;
+  const Surfel* nearest(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float distance,
+                        const Surfel* guess = nullptr) const;
 
  private:
   struct Cell {

@@ -27,9 +27,9 @@ const char* toString(LoopOutcome outcome);
 struct LoopProposal {
   LoopConstraint loop;  ///< the identity as information unless accepted
   LoopOutcome outcome = LoopOutcome::accepted;
-  double hausdorff = 0.0;           ///< m, before the registration
-  double moved_translation = 0.0;   ///< m, from the guess to the result
-  double moved_rotation = 0.0;      ///< degrees
+  double hausdorff = 0.0;          ///< m, before the registration
+  double moved_translation = 0.0;  ///< m, from the guess to the result
+  double moved_rotation = 0.0;     ///< degrees
   FineRegistrationResult registration;
 };
 

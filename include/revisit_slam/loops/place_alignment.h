@@ -24,13 +24,13 @@ struct PlanarAlignmentConfig {
   double inlier_radius = 3.0;  ///< in the unit of the points
   double max_turn = 0.35;      ///< rad, between a pair's own turn and the alignment's
   double separation = 5.0;     ///< in the unit of the points, of inliers that count each
-  int samples = 1000;
+  int samples = 5000;
   std::uint32_t seed = 1;
 };
 
-/// The rotation and translation with which most pairs agree in place and turn (RANSAC over pairs of pairs: all where
-/// there are no more than `samples`, else a seeded choice), re-estimated from all that agree by
-/// least squares. Inliers side by side count as one: a street corner that looks like another one has
+/// The rotation and translation with which most pairs agree in place and turn: RANSAC over samples
+/// of two pairs of like turn, all where there are no more than `samples`, else a seeded choice;
+/// re-estimated from all that agree by least squares. Inliers side by side count as one: a street corner that looks like another one has
 /// many of them, two maps of one place have them all over. Without inliers where no two pairs fit
 /// together.
 PlanarAlignment alignPlanar(const std::vector<PointPair>& pairs,

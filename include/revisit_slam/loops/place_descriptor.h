@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 // The bits of a word are counted by one instruction that not all x86-64 processors have. The loader
@@ -18,12 +17,10 @@ namespace revisit_slam {
 /// 256 binary comparisons around a pixel (ORB).
 using Descriptor = std::array<std::uint64_t, 4>;
 
-/// Bits in which words [begin, end) of two descriptors differ.
-inline int differingBits(const Descriptor& a, const Descriptor& b, std::size_t begin = 0,
-                         std::size_t end = 4) {
-  int bits = 0;
-  for (std::size_t i = begin; i < end; ++i) bits += __builtin_popcountll(a[i] ^ b[i]);
-  return bits;
+/// Bits in which two descriptors differ.
+inline int differingBits(const Descriptor& a, const Descriptor& b) {
+  return __builtin_popcountll(a[0] ^ b[0]) + __builtin_popcountll(a[1] ^ b[1]) +
+         __builtin_popcountll(a[2] ^ b[2]) + __builtin_popcountll(a[3] ^ b[3]);
 }
 
 }  // namespace revisit_slam

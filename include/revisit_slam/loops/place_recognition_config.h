@@ -48,7 +48,7 @@ struct PlaceRecognitionConfig {
   double separation = 5.0;
   int min_inliers = 5;
   int newest_excluded = 3;
-  int samples = 1000;
+  int samples = 5000;
   int seed = 1;
 
   template <typename Visitor>

@@ -22,8 +22,8 @@ struct AssociationConfig {
   }
 };
 
-/// A submap and where it is, in a frame that all submaps compared share: that of the target local map
-/// (appearance), or the map (retroactive).
+/// A submap and where it is, in a frame that all submaps compared share: that of the target local
+/// map (appearance), or the map (retroactive).
 struct PlacedSubmap {
   SubmapPtr submap;
   Pose T_common_submap;

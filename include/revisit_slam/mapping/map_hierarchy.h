@@ -37,8 +37,8 @@ class MapHierarchy {
   Travel travel_;  // since the first scan of the open local map
 };
 
-/// Union of the points of the submaps, placed by the odometry: one mean for each voxel, in the frame
-/// of the first submap.
+/// Union of the points of the submaps, placed by the odometry: one mean for each voxel, in the
+/// frame of the first submap.
 Points unionOfPoints(const std::vector<SubmapPtr>& submaps, double voxel_size);
 
 }  // namespace revisit_slam

@@ -27,7 +27,6 @@ class SubmapBuilder {
   explicit SubmapBuilder(double voxel_size) : grid_(voxel_size) {}
 
   bool empty() const { return submap_.T_submap_scan.empty(); }
-  ScanId firstScan() const { return submap_.first_scan; }
   const Travel& travel() const { return travel_; }
 
   /// The first scan gives the keypose; ids follow each other without gaps.

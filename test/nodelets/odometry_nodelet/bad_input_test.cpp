@@ -13,9 +13,9 @@ TEST_F(BadInput, badCloudsAreCountedByReasonAndGoodOnesAroundThemRegistered) {
   const Drive drive = driveInRoom(4);
   const auto clouds = toClouds(drive);
   const BadClouds bad(clouds[2]);
-  for (const auto& cloud : {clouds[0], clouds[1], bad.empty, bad.all_nan, bad.no_point_step,
-                            bad.truncated, bad.no_y, clouds[0], clouds[1],
-                            toCloud(drive.scans[2], true), clouds[3]})
+  for (const auto& cloud :
+       {clouds[0], clouds[1], bad.empty, bad.all_nan, bad.no_point_step, bad.truncated, bad.no_y,
+        clouds[0], clouds[1], toCloud(drive.scans[2], true), clouds[3]})
     publish(cloud);
   ASSERT_TRUE(listener_.diagnoses("scans received", 11));
   EXPECT_EQ(listener_.diagnosed("scans processed"), 4);

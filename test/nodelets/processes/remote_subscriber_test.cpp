@@ -26,7 +26,8 @@ TEST(RemoteSubscriber, isToldThatRegisteredScansDoNotLeaveTheManagerWhichLivesOn
   const auto clouds = toClouds(driveInRoom(5));
   for (const auto& cloud : clouds) points.publish(cloud);
   const auto is_told = [&] {
-    return log.text().find("RegisteredScan does not leave the nodelet manager") != std::string::npos;
+    return log.text().find("RegisteredScan does not leave the nodelet manager") !=
+           std::string::npos;
   };
   EXPECT_TRUE(becomesTrue(is_told)) << log.text();
   EXPECT_TRUE(listener.hasPoses(5));
