@@ -176,7 +176,7 @@ std::string allowedText(const Parameter& parameter) {
     return text.empty() ? "any text" : text;
   }
   const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
-  return numberText(parameter.range.lowest) + " … " + numberText(parameter.range.highest) + unit;
+  return numberText(parameter.range.lowest) + " to " + numberText(parameter.range.highest) + unit;
 }
 
 }  // namespace revisit_slam

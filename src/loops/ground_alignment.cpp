@@ -15,12 +15,12 @@ namespace {
 
 using Ground = std::vector<Eigen::Vector3d>;
 
-constexpr double kColumn = 1.0;         // m
+constexpr double kColumn = 1.0;  // m
 constexpr std::size_t kMinColumns = 10;
 constexpr double kCoarsestScale = 8.0;  // m, above which a column counts little
 constexpr double kFinestScale = 0.5;    // m
 constexpr int kStepsPerScale = 3;
-constexpr double kFarthest = 1e5;       // m; no map is as large
+constexpr double kFarthest = 1e5;  // m; no map is as large
 
 /// The lowest point of each column, in the level frame.
 Ground lowestPoints(const Points& points_local, const Pose& T_level_local) {
@@ -64,7 +64,8 @@ Plane refit(const Plane& plane, const Ground& ground, double scale) {
     H += weight * J * J.transpose();
     g += weight * J * p.z();
   }
-  H.diagonal() += Eigen::Vector3d(1e-9, 1e-6, 1e-6) * H(0, 0);  // columns in a line: no slope across
+  H.diagonal() +=
+      Eigen::Vector3d(1e-9, 1e-6, 1e-6) * H(0, 0);  // columns in a line: no slope across
   const Eigen::Vector3d solution = H.ldlt().solve(g);
   return {solution[0], solution[1], solution[2]};
 }

@@ -52,12 +52,25 @@ void findInliers(const Eigen::Isometry2d& T, const Pairs& pairs,
       inliers.push_back(pair);
 }
 
-/// Whether a rigid motion can bring both pairs within the radius, and whether they are far enough
-/// from each other to tell its rotation.
+double directionOf(const Eigen::Vector2d& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// Whether the lengths are above `play` and differ by less (squared twice: no roots to draw).
+bool areOfLikeLength(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double play) {
+  const double aa = a.squaredNorm(), bb = b.squaredNorm();
+  const double sum = aa + bb - play * play;
+  return std::min(aa, bb) > play * play && sum * sum < 4.0 * aa * bb;
+}
+
+/// Whether one rigid motion can bring both pairs within the radius and has their turn, and whether
+/// they are far enough from each other to tell.
 bool fitTogether(const PointPair& a, const PointPair& b, const PlanarAlignmentConfig& config) {
-  const double source = (a.source - b.source).norm(), target = (a.target - b.target).norm();
+  const Eigen::Vector2d source = b.source - a.source, target = b.target - a.target;
   const double play = 2.0 * config.inlier_radius;
-  return std::min(source, target) > play && std::abs(source - target) < play;
+  if (!areOfLikeLength(source, target, play)) return false;
+  const double turn = directionOf(target) - directionOf(source);
+  return areAlike(a.turn, turn, config.max_turn) && areAlike(b.turn, turn, config.max_turn);
 }
 
 /// Pairs in the order of their turns, which are in [0, 2 pi), and once more a turn later.

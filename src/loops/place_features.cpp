@@ -60,8 +60,7 @@ PlaceFeatures compact(const OrbFeatures& orb, const Pixel& origin, int max_featu
 }  // namespace
 
 PlaceFeatures extractPlaceFeatures(const DensityImage& image, const PlaceFeaturesConfig& config) {
-  const PlaceFeatures all =
-      compact(detect(image, config), image.origin, config.max_features);
+  const PlaceFeatures all = compact(detect(image, config), image.origin, config.max_features);
   const std::vector<bool> repeated = repeatedDescriptors(all.descriptors, config.self_similarity);
   PlaceFeatures distinct;
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -49,19 +49,23 @@ PlaceView viewPlace(const LocalMap& map, const PlaceRecognitionConfig& config) {
 
 std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
                                                     const Place& place) const {
-  const std::vector<FeatureMatch> matches = matchFeatures(
-      query.features.descriptors, place.features.descriptors, config_.max_distance);
+  const std::vector<FeatureMatch> matches =
+      matchFeatures(query.features.descriptors, place.features.descriptors, config_.max_distance);
   if (matches.size() < kFewestInliers) return std::nullopt;
-  const PlanarAlignmentConfig alignment{config_.inlier_radius, config_.max_turn, config_.separation, config_.samples,
-                                        static_cast<std::uint32_t>(config_.seed)};
+  const PlanarAlignmentConfig alignment{config_.inlier_radius, config_.max_turn, config_.separation,
+                                        config_.samples, static_cast<std::uint32_t>(config_.seed)};
   const PlanarAlignment found =
       alignPlanar(pointPairs(query.features, place.features, matches), alignment);
   if (found.inliers < static_cast<int>(kFewestInliers)) return std::nullopt;
   const double resolution = config_.image.resolution;
-  const Pose T_target_source = place.T_level_local.inverse() *
-                               lift(found.T_target_source, resolution) * query.T_level_local;
-  return PlaceMatch{query.id,      place.id, T_target_source,
-                    found.inliers, static_cast<int>(matches.size()), resolution * found.rms};
+  const Pose T_target_source =
+      place.T_level_local.inverse() * lift(found.T_target_source, resolution) * query.T_level_local;
+  return PlaceMatch{query.id,
+                    place.id,
+                    T_target_source,
+                    found.inliers,
+                    static_cast<int>(matches.size()),
+                    resolution * found.rms};
 }
 
 std::optional<PlaceMatch> PlaceRecognition::recognise(const LocalMap& map) {

@@ -27,7 +27,7 @@ class InformationNodelet : public nodelet::Nodelet {
     subscriber_.shutdown();
     diagnostics_timer_.stop();
     reconfigure_server_.reset();
-    queue_.reset();
+    if (queue_) queue_->stop();
   }
 
  private:
@@ -105,12 +105,24 @@ class InformationNodelet : public nodelet::Nodelet {
 
   // In the threads of the node.
 
-  void reconfigure(const LiveInformationConfig& values) {
+  /// What cannot be used, such as a NaN, is answered with the values in force.
+  void reconfigure(LiveInformationConfig& values) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    config_.information.weak_ratio = values.weak_ratio;
-    config_.information.calibration = values.calibration;
-    config_.information.deskew_share = values.deskew_share;
-    stage_->reconfigure(config_.information);
+    InformationConfig& config = config_.information;
+    InformationConfig wanted = config;
+    wanted.weak_ratio = values.weak_ratio;
+    wanted.calibration = values.calibration;
+    wanted.deskew_share = values.deskew_share;
+    try {
+      check(parametersOf(wanted));
+      config = wanted;
+    } catch (const ParameterError& error) {
+      NODELET_ERROR("not changed: %s", error.what());
+    }
+    values.weak_ratio = config.weak_ratio;
+    values.calibration = config.calibration;
+    values.deskew_share = config.deskew_share;
+    stage_->reconfigure(config);
   }
 
   void publishDiagnostics() {

@@ -20,7 +20,7 @@ TEST(OfflineParameters, unknownNameSuggestsTheNearest) {
 }
 
 TEST(OfflineParameters, valueOutOfRangeNamesTheRange) {
-  expectRefused("odometry/max_range=0.5", {"'odometry/max_range'", "'0.5'", "1 … 1000 m"});
+  expectRefused("odometry/max_range=0.5", {"'odometry/max_range'", "'0.5'", "1 to 1000 m"});
 }
 
 TEST(OfflineParameters, valueOfAnotherTypeIsRefused) {

@@ -88,14 +88,14 @@ TEST(Parameters, UnknownNamesSuggestTheNearest) {
 TEST(Parameters, RefusalsNameParameterValueAndWhatIsAllowed) {
   const std::string whole = "a whole number", number = "a number", flag = "true or false";
   for (const auto& [name, value, allowed] :
-       std::vector<std::array<std::string, 3>>{{"count", "0", "1 … 10 scans"},
-                                               {"count", "11", "1 … 10 scans"},
+       std::vector<std::array<std::string, 3>>{{"count", "0", "1 to 10 scans"},
+                                               {"count", "11", "1 to 10 scans"},
                                                {"count", "2.5", whole},
                                                {"count", "2x", whole},
                                                {"count", "", whole},
                                                {"count", "99999999999", whole},
-                                               {"inner/size", "-5.001", "-5 … 20 m"},
-                                               {"inner/size", "20.5", "-5 … 20 m"},
+                                               {"inner/size", "-5.001", "-5 to 20 m"},
+                                               {"inner/size", "20.5", "-5 to 20 m"},
                                                {"inner/size", "nan", number},
                                                {"inner/size", ".nan", number},
                                                {"inner/size", "1 m", number},

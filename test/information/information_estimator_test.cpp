@@ -99,11 +99,12 @@ TEST(InformationEstimator, TheInformationIsInTheBaseFrame) {
   Scene scene = makeCorridor();
   scene.addSurface({20, 0, 0}, {0, 1.5f, 0}, {0, 0, 1.0f});  // anisotropic, held everywhere
   const Eigen::Quaterniond Q = expSO3({0.3, -0.5, 1.1});
+  const Pose T_turned{Q, Eigen::Vector3d::Zero()};
   Scene turned = scene;
   for (Points* points : {&turned.points_base, &turned.map_points_base})
     for (Eigen::Vector3f& p : *points) p = Q.conjugate().cast<float>() * p;
   const Matrix6 A = estimate(scene, {}, {}).information;
-  const Matrix6 B = estimate(turned, {Q, {}}, {Q, {}}).information;
+  const Matrix6 B = estimate(turned, T_turned, T_turned).information;
   Matrix6 J = Matrix6::Zero();
   J.topLeftCorner<3, 3>() = J.bottomRightCorner<3, 3>() = Q.toRotationMatrix();
   const Matrix6 back = J * B * J.transpose();

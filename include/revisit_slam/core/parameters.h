@@ -94,7 +94,7 @@ void check(const std::vector<Parameter>& parameters);
 /// The value as text, such that `assign` reads the same value back.
 std::string valueText(const Parameter& parameter);
 
-/// What the parameter may be, for messages and tables: "0.02 … 20 m", "auto | none".
+/// What the parameter may be, for messages and tables: "0.02 to 20 m", "auto | none".
 std::string allowedText(const Parameter& parameter);
 
 }  // namespace revisit_slam

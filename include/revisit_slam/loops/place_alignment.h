@@ -30,9 +30,9 @@ struct PlanarAlignmentConfig {
 
 /// The rotation and translation with which most pairs agree in place and turn: RANSAC over samples
 /// of two pairs of like turn, all where there are no more than `samples`, else a seeded choice;
-/// re-estimated from all that agree by least squares. Inliers side by side count as one: a street corner that looks like another one has
-/// many of them, two maps of one place have them all over. Without inliers where no two pairs fit
-/// together.
+/// re-estimated from all that agree by least squares. Inliers side by side count as one: a street
+/// corner that looks like another one has many of them, two maps of one place have them all over.
+/// Without inliers where no two pairs fit together.
 PlanarAlignment alignPlanar(const std::vector<PointPair>& pairs,
                             const PlanarAlignmentConfig& config);
 

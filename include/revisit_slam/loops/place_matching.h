@@ -20,7 +20,6 @@ std::vector<FeatureMatch> matchFeatures(const std::vector<Descriptor>& source,
                                         const std::vector<Descriptor>& target, int max_distance);
 
 /// Whether each descriptor has another one of the same list within `max_distance` bits.
-std::vector<bool> repeatedDescriptors(const std::vector<Descriptor>& descriptors,
-                                      int max_distance);
+std::vector<bool> repeatedDescriptors(const std::vector<Descriptor>& descriptors, int max_distance);
 
 }  // namespace revisit_slam
