@@ -32,6 +32,7 @@ endfunction()
 revisit_slam_program(offline)
 revisit_slam_program(simulate revisit_slam_simulation)
 revisit_slam_program(optimize_graph)
+revisit_slam_program(benchmark_information)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
