@@ -12,7 +12,7 @@ struct InformationConfig {
   double translation_range = 0.1;
   double rotation_range = 0.01;
   bool full = false;
-  int max_points = 400;
+  int max_points = 250;
   double min_eigenvalue = 1e-3;
   double weak_ratio = 0.1;
   double calibration = 0.4;
