@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/fine_registration_information.h"
 
+#include <limits>
+
 #include "revisit_slam/geometry/voxel_filter.h"
 
 namespace revisit_slam {
@@ -41,11 +43,17 @@ Points matched(const Points& points, const LocalVoxelMap& map, const Pose& T, do
   return kept;
 }
 
+/// Loops are few: all their points are sampled.
+InformationConfig withAllPoints(InformationConfig information) {
+  information.max_points = std::numeric_limits<int>::max();
+  return information;
+}
+
 }  // namespace
 
 LoopInformation::LoopInformation(const InformationConfig& information,
                                  const FineRegistrationConfig& registration)
-    : config_(registration), enabled_(information.enabled), estimator_(information) {}
+    : config_(registration), enabled_(information.enabled), estimator_(withAllPoints(information)) {}
 
 Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
                                   const Pose& T_target_source) const {

@@ -94,7 +94,7 @@ Pose levelOnGround(const Points& points_local) {
   T_level_local = levelling(fitPlane(ground, {}, 2.0 * kFinestScale)) * T_level_local;
   const Eigen::Vector3d up = T_level_local.rotation.conjugate() * Eigen::Vector3d::UnitZ();
   const auto without_yaw = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());
-  return {without_yaw, T_level_local.translation};
+  return {without_yaw, {0.0, 0.0, T_level_local.translation.z()}};
 }
 
 }  // namespace revisit_slam

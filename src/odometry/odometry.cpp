@@ -60,7 +60,8 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
 
   const double voxel_size = config_.map.voxel_size;
   voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_);
-  voxel_filter_.filter(map_points_base_, kSourcePointSpacing * voxel_size, registered.source_base);
+  voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
+                             registered.source_base);
   clock.stage("downsample");
 
   const double seconds = secondsSincePrevious(scan.stamp);

@@ -2,6 +2,8 @@
 #include "revisit_slam/odometry/registration.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
+#include <optional>
 
 #include "revisit_slam/geometry/chunks.h"
 #include "revisit_slam/geometry/se3.h"
@@ -53,6 +55,42 @@ struct Sums {
   }
 };
 
+/// Distance from a point to its nearest map point, looked up anew only where the cached one may no
+/// longer be the nearest; nothing where none is nearer than `max_distance`.
+std::optional<double> distanceToNearest(const Eigen::Vector3d& p_odom, const LocalVoxelMap& map,
+                                        double max_distance, CachedMatch& match) {
+  if (match.valid) {
+    const double distance = (p_odom - match.neighbour.point_odom).norm();
+    const double moved = (p_odom - match.searched_at).norm();
+    if (distance + moved + kBoundMargin <= match.neighbour.rival_distance)
+      return distance < max_distance ? std::optional<double>(distance) : std::nullopt;
+  }
+  match.searched_at = p_odom;
+  match.valid = map.nearest(p_odom, max_distance, match.neighbour);
+  if (!match.valid) return std::nullopt;
+  const double distance = (p_odom - match.neighbour.point_odom).norm();
+  return distance < max_distance ? std::optional<double>(distance) : std::nullopt;
+}
+
+/// The normal equations of one chunk of points at T_odom_base.
+Sums sumChunk(const Points& points_base, Chunk chunk, const LocalVoxelMap& map,
+              const Pose& T_odom_base, double sigma, std::vector<CachedMatch>& matches) {
+  const Eigen::Matrix3d R = T_odom_base.rotationMatrix();
+  const double max_distance = Registration::maxCorrespondenceDistance(sigma);
+  Sums sums;
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const Eigen::Vector3d p = points_base[i].cast<double>();
+    const Eigen::Vector3d p_odom = R * p + T_odom_base.translation;
+    const auto distance = distanceToNearest(p_odom, map, max_distance, matches[i]);
+    if (!distance) continue;
+    const double squared = *distance * *distance;
+    const double root_weight = sigma / (sigma + squared);
+    sums.add(p, R.transpose() * (p_odom - matches[i].neighbour.point_odom), squared,
+             root_weight * root_weight);
+  }
+  return sums;
+}
+
 }  // namespace
 
 const char* toString(RegistrationOutcome outcome) {
@@ -70,38 +108,15 @@ RegistrationResult Registration::align(const Points& points_base, const LocalVox
   RegistrationResult result;
   result.T_odom_base = T_odom_initial;
   if (map.empty()) return result;
-  matches_.assign(points_base.size(), Match{});
-  const double max_distance = maxCorrespondenceDistance(sigma);
+  matches_.assign(points_base.size(), CachedMatch{});
   const Chunks chunks(points_base.size(), kChunkLength);
   std::vector<Sums> chunk_sums(chunks.size());
 
-  const auto sumChunk = [&](std::size_t index, Chunk chunk) {
-    const Eigen::Matrix3d R = result.T_odom_base.rotationMatrix();
-    Sums sums;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Eigen::Vector3d p = points_base[i].cast<double>();
-      const Eigen::Vector3d p_odom = R * p + result.T_odom_base.translation;
-      Match& match = matches_[i];
-      double distance = (p_odom - match.neighbour.point_odom).norm();
-      const double moved = (p_odom - match.searched_at).norm();
-      if (!match.valid || distance + moved + kBoundMargin > match.neighbour.rival_distance) {
-        match.searched_at = p_odom;
-        match.valid = map.nearest(p_odom, max_distance, match.neighbour);
-        if (!match.valid) continue;
-        distance = (p_odom - match.neighbour.point_odom).norm();
-      }
-      if (distance >= max_distance) continue;
-      const double squared = distance * distance;
-      const double root_weight = sigma / (sigma + squared);
-      sums.add(p, R.transpose() * (p_odom - match.neighbour.point_odom), squared,
-               root_weight * root_weight);
-    }
-    chunk_sums[index] = sums;
-  };
-
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
-    chunks.forEach(sumChunk);
+    chunks.forEach([&](std::size_t index, Chunk chunk) {
+      chunk_sums[index] = sumChunk(points_base, chunk, map, result.T_odom_base, sigma, matches_);
+    });
     Sums sums;
     for (const Sums& chunk : chunk_sums) sums += chunk;
     result.correspondences = sums.count;

@@ -21,21 +21,26 @@ TEST(PlaceFeatures, AreBoundedAndLieInTheImage) {
   }
 }
 
-/// Pillars that are all the same, as under a bridge.
+/// A row of ten blocks, 20 m apart, that are copies of each other or not.
+DensityImage blocks(bool are_copies) {
+  RandomNumbers random(1);
+  Points points;
+  for (int block = 0; block < 10; ++block) {
+    if (are_copies) random = RandomNumbers(1);
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 24; ++j) {
+        const double height = random.uniform(0, 1) < 0.3 ? random.uniform(0, 15) : 0.4;
+        for (double z = 0; z < height; z += 0.5)
+          points.push_back(Eigen::Vector3d(20 * block + 0.5 * i, 0.5 * j, z).cast<float>());
+      }
+  }
+  for (const float side : {-30.0f, 40.0f}) points.emplace_back(0.0f, side, 0.0f);  // wide enough
+  return densityImage(points, {}, {});
+}
+
 TEST(PlaceFeatures, ThatRepeatAreDropped) {
-  Points pillars;
-  for (float x = -80; x < 80; x += 8)
-    for (const float y : {-4.0f, 4.0f})
-      for (float z = 0; z < 6; z += 0.5f) pillars.emplace_back(x + 0.25f, y + 0.25f, z);
-  for (const float side : {-40.25f, 40.25f})
-    pillars.emplace_back(0.25f, side, 0.0f);  // wide enough
-  const DensityImage image = densityImage(pillars, {}, {});
-  PlaceFeaturesConfig keep_all;
-  keep_all.self_similarity = 0;
-  keep_all.fast_threshold = 10;
-  PlaceFeaturesConfig prune = keep_all;
-  prune.self_similarity = 35;
-  EXPECT_LE(extractPlaceFeatures(image, prune).size(), 4u) << "the ends of the rows may differ";
+  EXPECT_GT(extractPlaceFeatures(blocks(false), {}).size(), 10u);
+  EXPECT_EQ(extractPlaceFeatures(blocks(true), {}).size(), 0u);
 }
 
 TEST(PlaceFeatures, AreNoneWhereThereIsNothing) {

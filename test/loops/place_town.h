@@ -11,12 +11,13 @@
 
 namespace revisit_slam {
 
-/// Houses of random sizes and directions on flat ground, 240 m x 240 m around the origin.
+/// Houses and trees of random sizes on flat ground, 240 m x 240 m around the origin.
 class Town {
  public:
   explicit Town(unsigned seed) : random_(seed) {
     for (double x = -108; x < 120; x += 24)
       for (double y = -108; y < 120; y += 24) addHouse(x + random_.uniform(-5, 5), y);
+    for (int i = 0; i < 500; ++i) addTree(random_.inCube(120), random_.uniform(0.5, 2.5));
   }
 
   /// A local map around `T_town_local`, a point for each voxel of 0.5 m, with noise.
@@ -46,6 +47,13 @@ class Town {
         addColumn(T * Eigen::Vector3d(side, v, 0), height);
     for (double u = -12; u < 12; u += 0.5)
       for (double v = -12; v < 12; v += 0.5) surface_.emplace_back(x + u, y + v, 0.0);
+  }
+
+  void addTree(const Eigen::Vector3d& at, double radius) {
+    const double height = random_.uniform(2, 12);
+    for (double u = -radius; u < radius; u += 0.25)
+      for (double v = -radius; v < radius; v += 0.25)
+        addColumn({at.x() + u, at.y() + v, 0}, height * (1 - std::hypot(u, v) / radius));
   }
 
   void addColumn(const Eigen::Vector3d& foot, double height) {

@@ -15,7 +15,14 @@ class VoxelFilter {
   /// `voxel_size` in metres. Coordinates up to 65,000 voxels from the origin are told apart.
   void filter(const Points& input, double voxel_size, Points& output);
 
+  /// The same with the input taken in a spread order. The first point of a voxel in the order of the
+  /// scan lies on the side from which the sensor turned, and what is registered by such points is
+  /// drawn to that side; in the spread order it may lie anywhere.
+  void filterSpread(const Points& input, double voxel_size, Points& output);
+
  private:
+  template <typename NextIndex>
+  void filterInOrder(const Points& input, double voxel_size, Points& output, NextIndex next);
   void prepareTable(std::size_t points);
   bool insert(std::uint64_t key);
 

@@ -27,6 +27,14 @@ struct RegistrationResult {
   double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate
 };
 
+/// The neighbour found for a point, and where the point was then: while the point has moved less than
+/// its neighbour's rivals are farther, the neighbour is still the nearest.
+struct CachedMatch {
+  Eigen::Vector3d searched_at;
+  Neighbour neighbour;
+  bool valid;
+};
+
 /// Point-to-point ICP of a scan to the local map: minimises the sum of
 /// w(r) |T_odom_base p_i - q_i|^2 (paper Eq. 1-2) over right perturbations T * Exp(d), with
 /// w(r) = (sigma / (sigma + r^2))^2 and correspondences nearer than 3 sigma (KISS-ICP Sec. III-C).
@@ -42,16 +50,8 @@ class Registration {
                            const Pose& T_odom_initial, double sigma);
 
  private:
-  /// The neighbour found for a point, and where the point was then: while the point has moved
-  /// less than its neighbour's rivals are farther, the neighbour is still the nearest.
-  struct Match {
-    Eigen::Vector3d searched_at;
-    Neighbour neighbour;
-    bool valid;
-  };
-
   RegistrationConfig config_;
-  std::vector<Match> matches_;  // kept for its memory
+  std::vector<CachedMatch> matches_;  // kept for its memory
 };
 
 }  // namespace revisit_slam
