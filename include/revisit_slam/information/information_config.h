@@ -16,7 +16,7 @@ struct InformationConfig {
   double min_eigenvalue = 1e-3;
   double weak_ratio = 0.1;
   double calibration = 0.4;
-  double deskew_share = 0.44;
+  double deskew_share = 0.46;
   int max_waiting = 10;
 
   template <typename Visitor>
