@@ -57,7 +57,7 @@ TEST(LiveEqualsOffline, onASimulatedDrive) {
 TEST(LiveEqualsOffline, onARecordedDrive) {
   const char* data = std::getenv("REVISIT_SLAM_TEST_DATA");
   if (data == nullptr) GTEST_SKIP() << "REVISIT_SLAM_TEST_DATA is not set";
-  playAndCompare(std::string(data) + "/kitti_raw_0001/kitti_raw_0001.bag", "/velodyne_points", 40,
+  playAndCompare(std::string(data) + "/kitti_raw_0001/kitti_raw_0001.bag", "/velodyne_points", 108,
                  "1");
 }
 
