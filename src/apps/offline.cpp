@@ -7,20 +7,17 @@
 #include <iostream>
 
 #include "revisit_slam/io/parameter_file.h"
-#include "revisit_slam/io/pcd.h"
 #include "revisit_slam/io/process_usage.h"
 #include "revisit_slam/io/progress.h"
 #include "revisit_slam/io/run_folder.h"
-#include "revisit_slam/mapping/point_map.h"
 #include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/pipeline/slam.h"
+#include "revisit_slam/pipeline/slam_files.h"
 #include "revisit_slam/ros/bag_scans.h"
 #include "revisit_slam/ros/front_end.h"
 
 namespace revisit_slam {
 namespace {
-
-constexpr double kMapVoxelSize = 0.25;  // m, of map.pcd
 
 struct Options {
   std::vector<std::string> bags;
@@ -43,7 +40,8 @@ SlamConfig readConfig(const Options& options) {
     assign(parameters, {{setting.substr(0, equals), setting.substr(equals + 1)}});
   }
   if (options.threads > 0)
-    assign(parameters, {{"odometry/threads", std::to_string(options.threads)}});
+    for (const char* threads : {"odometry/threads", "background/threads", "backend/threads"})
+      assign(parameters, {{threads, std::to_string(options.threads)}});
   return config;
 }
 
@@ -66,7 +64,7 @@ std::string sensorFrame(BagScans& bag) {
 }
 
 /// A run over the scans of a bag.
-class OfflineRun {
+class OfflineRun : private SlamObserver {
  public:
   OfflineRun(const Options& options, const SlamConfig& config)
       : config_(config),
@@ -74,7 +72,8 @@ class OfflineRun {
         folder_(options.out),
         front_end_(config),
         information_(config.information),
-        map_(kMapVoxelSize),
+        files_(options.out, config.mapping),
+        slam_(config, *this),
         total_(options.max_scans > 0 ? std::min(options.max_scans, bag_.size()) : bag_.size()),
         progress_("mapping", "scans", total_, options.quiet) {}
 
@@ -83,6 +82,7 @@ class OfflineRun {
     progress_.say("topic " + bag_.topic() + ", " + std::to_string(total_) + " scans");
     placeSensor();
     const bool all_read = processAll();
+    finishMaps();
     progress_.finish();
     writeResults();
     return all_read;
@@ -121,11 +121,11 @@ class OfflineRun {
   }
 
   void process(const rosbag::MessageInstance& instance) {
+    const double cpu_before = threadCpuSeconds();
     const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
     const auto other = cloud ? nullptr : instance.instantiate<topic_tools::ShapeShifter>();
-    const double cpu_before = processCpuSeconds();
+    reading_cpu_seconds_ += threadCpuSeconds() - cpu_before;
     FrontEnd::Result result = cloud ? front_end_.process(*cloud) : front_end_.process(*other);
-    processing_cpu_seconds_ += processCpuSeconds() - cpu_before;
     sayTimeSource();
     if (result.scan) {
       finishScan(std::move(*result.scan), std::move(result.times));
@@ -136,15 +136,57 @@ class OfflineRun {
   }
 
   void finishScan(RegisteredScan&& scan, StageTimes times) {
-    const double cpu_before = processCpuSeconds();
     StageClock clock;
     const InformedScan informed =
         information_.inform(std::make_shared<const RegisteredScan>(std::move(scan)));
     clock.stage("information");
-    processing_cpu_seconds_ += processCpuSeconds() - cpu_before;
-    times.push_back(clock.times().front());
+    if (config_.mapping.enabled) slam_.insert(informed);
+    clock.stage("maps");
+    for (const auto& time : clock.times()) times.push_back(time);
     folder_.add(informed, times);
-    map_.insert(informed.scan->points_base, informed.scan->T_odom_base);
+  }
+
+  void finishMaps() {
+    if (!config_.mapping.enabled) return;
+    const Clock::time_point last_scan = Clock::now();
+    slam_.finish();
+    finish_seconds_ = std::chrono::duration<double>(Clock::now() - last_scan).count();
+  }
+
+  void onMaps(const MapUpdate& update) override {
+    files_.add(update);
+    if (!update.local_map) return;
+    if (first_memory_mb_ == 0.0) {
+      first_memory_mb_ = memoryMegabytes();
+      first_memory_path_ = folder_.pathLength();
+    }
+    last_memory_mb_ = memoryMegabytes();
+    last_memory_path_ = folder_.pathLength();
+  }
+
+  void onLoopSearch(const LoopSearchResult& result) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    background_times_.push_back(result.times);
+    const std::size_t accepted = result.accepted().size();
+    if (getenv("DBG")) { std::string t="map "+std::to_string(result.map->id.value)+" feats "+std::to_string(result.view?result.view->features.size():0)+":"; for (auto& c: result.candidates) t+=" "+std::to_string(c.target.value)+"("+std::to_string(c.inliers)+"/"+std::to_string(c.matches)+")"; for(auto&p:result.proposals) t+=std::string(" ")+toString(p.outcome)+" f"+std::to_string(p.registration.fitness)+" c"+std::to_string(p.registration.coherence)+" m"+std::to_string(p.moved_translation)+" r"+std::to_string(p.moved_rotation)+";"; progress_.say(t);} // DBG
+    if (accepted > 0)
+      progress_.say("local map " + std::to_string(result.map->id.value) + " shows the place of " +
+                    std::to_string(result.match->target.value) + ": " + std::to_string(accepted) +
+                    " loop constraints");
+  }
+
+  void onRetroactive(const std::vector<LoopProposal>& proposals) override { // DBG
+    if (getenv("DBG")) { std::string t="retro:"; for(auto&p:proposals) t+=" "+std::to_string(p.loop.source_map.value)+">"+std::to_string(p.loop.target_map.value)+" "+toString(p.outcome)+" f"+std::to_string(p.registration.fitness)+" c"+std::to_string(p.registration.coherence)+" m"+std::to_string(p.moved_translation)+" r"+std::to_string(p.moved_rotation)+" H"+std::to_string(p.hausdorff)+";"; progress_.say(t);} // DBG
+  } // DBG
+  void onCorrection(const MapCorrectionPtr& correction) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    background_times_.push_back({{"optimisation", 1e3 * correction->seconds}});
+  }
+
+  /// Growth between the first and the last local map, where these are far enough from each other.
+  double memoryPerKilometre() const {
+    const double kilometres = (last_memory_path_ - first_memory_path_) / 1000.0;
+    return kilometres > 0.2 ? (last_memory_mb_ - first_memory_mb_) / kilometres : 0.0;
   }
 
   void sayTimeSource() {
@@ -154,6 +196,7 @@ class OfflineRun {
   }
 
   void writeResults() {
+    for (const StageTimes& times : background_times_) folder_.addTimes(times);
     RunSummary summary;
     summary.parameters = parametersOf(config_);
     summary.account = front_end_.account();
@@ -161,13 +204,21 @@ class OfflineRun {
     summary.tracked_frame = tracked_frame_;
     summary.time_source = front_end_.timeSource();
     summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    summary.processing_cpu_seconds = processing_cpu_seconds_;
+    summary.reading_cpu_seconds = reading_cpu_seconds_;
+    summary.finish_seconds = finish_seconds_;
+    summary.memory_mb_per_km = memoryPerKilometre();
+    const BackEnd& back_end = slam_.backEnd();
+    for (const LoopEdge& edge : back_end.graph().loops())
+      ++summary.loops[std::string(toString(edge.loop.origin)) + " " + toString(edge.state)];
+    summary.optimisations = back_end.count().optimisations;
+    summary.rejected_optimisations = back_end.count().rejected_optimisations;
+    summary.retroactive_pairs = back_end.count().retroactive_pairs;
     summary.threads = config_.odometry.threads;
     folder_.finish(summary);
     if (summary.account.processed == 0)
       throw BagError("not one of " + std::to_string(summary.account.received) +
                      " scans could be processed");
-    writePcd(folder_.file("map.pcd"), map_.points());
+    if (config_.mapping.enabled) files_.write(back_end);
   }
 
   using Clock = std::chrono::steady_clock;
@@ -177,11 +228,17 @@ class OfflineRun {
   RunFolder folder_;
   FrontEnd front_end_;
   InformationStage information_;
-  PointMap map_;
+  SlamFiles files_;
+  Slam slam_;
   std::size_t total_;
   Progress progress_;
   std::string tracked_frame_, said_time_source_;
-  double processing_cpu_seconds_ = 0.0;
+  double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
+  double first_memory_mb_ = 0.0, first_memory_path_ = 0.0;
+  double last_memory_mb_ = 0.0, last_memory_path_ = 0.0;
+
+  std::mutex mutex_;  // guards the next one
+  std::vector<StageTimes> background_times_;
 };
 
 Options parseOptions(CLI::App& app, int argc, char** argv) {

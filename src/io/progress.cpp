@@ -28,6 +28,7 @@ Progress::Progress(std::string title, std::string unit, std::size_t total, bool 
 void Progress::update(std::size_t done) {
   done_ = done;
   if (quiet_ || total_ == 0) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t tenths = 10 * done / total_;
   if (terminal_) {
     if (done < total_ && secondsSince(last_drawn_) < kRedrawSeconds) return;
@@ -43,6 +44,7 @@ void Progress::update(std::size_t done) {
 
 void Progress::say(const std::string& line) {
   if (quiet_) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
   clearBar();
   std::fprintf(stderr, "%s\n", line.c_str());
 }

@@ -94,6 +94,10 @@ void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) 
   endLine(scan_times_, "scan_times.csv");
 }
 
+void RunFolder::addTimes(const StageTimes& times) {
+  for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(ms);
+}
+
 void RunFolder::endLine(std::ofstream& stream, const std::string& name) const {
   if (!(stream << std::endl)) throw std::runtime_error("cannot write '" + file(name) + "'");
 }
@@ -115,9 +119,15 @@ void RunFolder::finish(const RunSummary& summary) const {
       {"path_length_m", path_length_},
       {"wall_seconds", summary.wall_seconds},
       {"cpu_seconds", processCpuSeconds()},
-      {"cpu_seconds_per_scan", summary.processing_cpu_seconds / scans},
+      {"cpu_seconds_per_scan", (processCpuSeconds() - summary.reading_cpu_seconds) / scans},
+      {"finish_seconds", summary.finish_seconds},
       {"stages_ms", statistics(stage_ms_)},
       {"peak_memory_mb", peakMemoryMegabytes()},
+      {"memory_mb_per_km", summary.memory_mb_per_km},
+      {"loops", summary.loops},
+      {"optimisations", summary.optimisations},
+      {"rejected_optimisations", summary.rejected_optimisations},
+      {"retroactive_pairs", summary.retroactive_pairs},
       {"threads", summary.threads},
   };
   writeWholeText(file("run.json"), run.dump(2) + "\n");

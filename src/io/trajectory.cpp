@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "revisit_slam/io/whole_file.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -82,8 +84,14 @@ Trajectory readTum(const std::string& path) {
   return trajectory;
 }
 
+void writeTum(const std::string& path, const Trajectory& trajectory) {
+  std::ostringstream text;
+  for (const StampedPose& pose : trajectory) writeTumLine(text, pose);
+  writeWholeText(path, text.str());
+}
+
 void writeKitti(const std::string& path, const Trajectory& trajectory) {
-  std::ofstream file(path);
+  std::ostringstream text;
   for (const StampedPose& pose : trajectory) {
     const Eigen::Matrix4d T = pose.T_world_base.matrix();
     char line[512];
@@ -91,9 +99,9 @@ void writeKitti(const std::string& path, const Trajectory& trajectory) {
                   "%.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n",
                   T(0, 0), T(0, 1), T(0, 2), T(0, 3), T(1, 0), T(1, 1), T(1, 2), T(1, 3), T(2, 0),
                   T(2, 1), T(2, 2), T(2, 3));
-    file << line;
+    text << line;
   }
-  if (!file.flush()) fail("cannot write the trajectory", path);
+  writeWholeText(path, text.str());
 }
 
 TumWriter::TumWriter(const std::string& path) : path_(path), file_(path) {

@@ -60,6 +60,13 @@ const char* toString(LoopOutcome outcome) {
   return "unknown";
 }
 
+std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals) {
+  std::vector<LoopConstraint> accepted;
+  for (const LoopProposal& proposal : proposals)
+    if (proposal.outcome == LoopOutcome::accepted) accepted.push_back(proposal.loop);
+  return accepted;
+}
+
 LoopCloser::LoopCloser(const LoopCloserConfig& config, const InformationConfig& information)
     : config_(config),
       registration_(config.registration),

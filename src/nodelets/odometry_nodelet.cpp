@@ -17,7 +17,7 @@
 #include "revisit_slam/ros/parameter_server.h"
 #include "revisit_slam/ros/pose_conversions.h"
 #include "revisit_slam/ros/scan_messages.h"
-#include "revisit_slam/ros/work_queue.h"
+#include "revisit_slam/core/work_queue.h"
 
 namespace revisit_slam {
 

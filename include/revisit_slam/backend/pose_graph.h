@@ -7,9 +7,6 @@
 
 namespace revisit_slam {
 
-/// Counts the loop constraints of a pose graph, from 0, without gaps.
-using LoopId = Id<struct LoopTag>;
-
 /// Poses T_map_scan of all scans and the constraints between them. A value: a copy of it can be
 /// solved while the original grows. The first node is the gauge and never moves.
 class PoseGraph {

@@ -19,5 +19,7 @@ struct Id {
 using ScanId = Id<struct ScanTag>;
 using SubmapId = Id<struct SubmapTag>;
 using LocalMapId = Id<struct LocalMapTag>;
+/// Counts the loop constraints of a pose graph, from 0, without gaps.
+using LoopId = Id<struct LoopTag>;
 
 }  // namespace revisit_slam

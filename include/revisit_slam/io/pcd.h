@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <fstream>
 #include <string>
 
 #include "revisit_slam/core/scan.h"
 
 namespace revisit_slam {
 
-/// Writes a binary PCD file with fields x y z, under a temporary name that becomes `path` when it is
-/// whole. @throws std::runtime_error naming the file, or when there are no points.
+/// Writes a binary PCD file with fields x y z, whole or not at all.
+/// @throws std::runtime_error naming the file, or when there are no points.
 void writePcd(const std::string& path, const Points& points);
+
+/// @throws std::runtime_error naming a file that cannot be read or has no x, y, z.
+Points readPcd(const std::string& path);
+
+/// A binary PCD file with fields x y z written piece by piece, in whatever memory one piece takes.
+class PcdStream {
+ public:
+  explicit PcdStream(const std::string& path);
+  void write(const Points& points);
+  /// Puts the number of points into the header. @throws std::runtime_error naming the file.
+  void finish();
+  std::size_t size() const { return count_; }
+
+ private:
+  void writeHeader();
+
+  std::string path_;
+  std::ofstream file_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace revisit_slam

@@ -3,12 +3,13 @@
 
 #include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <string>
 
 namespace revisit_slam {
 
 /// Progress on stderr: a bar with rate and time left on a terminal, a plain line every ten per cent
-/// elsewhere.
+/// elsewhere. Any thread may speak.
 class Progress {
  public:
   /// `unit` in the plural: "scans".
@@ -22,6 +23,8 @@ class Progress {
  private:
   std::string rate(std::size_t done) const;
   void clearBar() const;
+
+  std::mutex mutex_;  // guards the terminal
 
   using Clock = std::chrono::steady_clock;
   std::string title_, unit_;

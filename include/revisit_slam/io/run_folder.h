@@ -22,8 +22,12 @@ struct RunSummary {
   std::string tracked_frame;
   std::string time_source;
   double wall_seconds = 0.0;        ///< of the whole run, reading the bag included
-  double processing_cpu_seconds = 0.0;  ///< of the stages alone, all threads
+  double reading_cpu_seconds = 0.0;  ///< of taking messages out of the bag
+  double finish_seconds = 0.0;       ///< from the last scan to the last optimisation
+  double memory_mb_per_km = 0.0;
   int threads = 0;
+  std::map<std::string, int> loops;  ///< constraints by origin and state
+  int optimisations = 0, rejected_optimisations = 0, retroactive_pairs = 0;
 };
 
 /// The folder that a run leaves behind. Poses and times are on disk as soon as they are known.
@@ -36,6 +40,11 @@ class RunFolder {
 
   /// Appends to odometry.tum, odometry_information.csv and scan_times.csv.
   void add(const InformedScan& informed, const StageTimes& times);
+
+  /// Wall time of what is done once for a local map or an optimisation, for run.json.
+  void addTimes(const StageTimes& times);
+
+  double pathLength() const { return path_length_; }
 
   /// Writes run.json, whole or not at all.
   void finish(const RunSummary& summary) const;

@@ -28,6 +28,9 @@ void writeTumLine(std::ostream& out, const StampedPose& pose);
 /// @throws std::runtime_error naming the file, and the line where one cannot be read.
 Trajectory readTum(const std::string& path);
 
+/// Whole or not at all. @throws std::runtime_error naming the file.
+void writeTum(const std::string& path, const Trajectory& trajectory);
+
 /// Rows 1-3 of the 4x4 matrix, one pose a line. @throws std::runtime_error naming the file.
 void writeKitti(const std::string& path, const Trajectory& trajectory);
 

@@ -33,6 +33,9 @@ struct LoopProposal {
   FineRegistrationResult registration;
 };
 
+/// The constraints of those that were accepted.
+std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals);
+
 /// Closes loops between local maps: associates their submaps, registers each pair, and keeps what
 /// fits and agrees. Runs in the current TBB arena; the same bits for any number of threads.
 class LoopCloser {

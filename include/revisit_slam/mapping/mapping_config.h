@@ -22,18 +22,23 @@ struct MapSplitConfig {
 /// The hierarchy of maps (paper Sec. III-C). Path lengths are ours: on a straight road they never
 /// act.
 struct MappingConfig {
+  bool enabled = true;
   MapSplitConfig submap{25.0, 50.0};
   MapSplitConfig local_map{100.0, 200.0};
   double submap_voxel_size = 0.5;
   double local_map_voxel_size = 0.5;
+  double detail_voxel_size = 0.25;
 
   template <typename Visitor>
   void visit(Visitor& v) {
+    v("enabled", enabled, "false: odometry and information alone; no maps, no loops, no graph");
     v.group("submap", submap);
     v.group("local_map", local_map);
     v("submap_voxel_size", submap_voxel_size, Range{0.05, 5.0}, "m", "nu_sub, edge of a voxel");
     v("local_map_voxel_size", local_map_voxel_size, Range{0.05, 5.0}, "m",
       "nu_loc, edge of a voxel");
+    v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
+      "files have one point for each voxel of this edge");
   }
 };
 

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "revisit_slam/backend/back_end_config.h"
 #include "revisit_slam/core/parameters.h"
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/input/scan_input_config.h"
+#include "revisit_slam/loops/loops_config.h"
+#include "revisit_slam/loops/retroactive_search.h"
+#include "revisit_slam/mapping/mapping_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/pipeline/background_config.h"
 
 namespace revisit_slam {
 
 struct FramesConfig {
+  std::string map = "map";
   std::string odom = "odom";
   std::string base = "base_link";
 
   template <typename Visitor>
   void visit(Visitor& v) {
+    v("map", map, Choices{}, "", "frame of the corrected map; the odometry's frame moves in it");
     v("odom", odom, Choices{}, "", "frame in which the odometry moves, without jumps");
     v("base", base, Choices{}, "", "frame whose pose is estimated; empty: the sensor's own");
   }
@@ -38,6 +45,11 @@ struct SlamConfig {
   ScanInputConfig input;
   OdometryConfig odometry;
   InformationConfig information;
+  MappingConfig mapping;
+  LoopsConfig loops;
+  RetroactiveConfig retroactive;
+  BackEndConfig backend;
+  BackgroundConfig background;
   LiveConfig live;
 
   template <typename Visitor>
@@ -46,6 +58,11 @@ struct SlamConfig {
     v.group("input", input);
     v.group("odometry", odometry);
     v.group("information", information);
+    v.group("mapping", mapping);
+    v.group("loops", loops);
+    v.group("retroactive", retroactive);
+    v.group("backend", backend);
+    v.group("background", background);
     v.group("live", live);
   }
 };

@@ -46,8 +46,24 @@ class WorkQueue {
       }
       items_.push_back(std::move(item));
     }
-    changed_.notify_one();
+    changed_.notify_all();
     if (dropped) on_drop_();
+  }
+
+  /// Waits for room instead; returns without pushing when the queue is stopped.
+  void pushWaiting(Item item) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [this] { return stopping_ || items_.size() < capacity_; });
+    if (stopping_) return;
+    items_.push_back(std::move(item));
+    lock.unlock();
+    changed_.notify_all();
+  }
+
+  /// Returns when everything pushed so far is done, or the queue is stopped.
+  void drain() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [this] { return stopping_ || (items_.empty() && !working_); });
   }
 
   std::size_t waiting() const {
@@ -68,9 +84,13 @@ class WorkQueue {
       if (stopping_) return;
       Item item = std::move(items_.front());
       items_.pop_front();
+      working_ = true;
       lock.unlock();
+      changed_.notify_all();
       work_(std::move(item));
       lock.lock();
+      working_ = false;
+      if (items_.empty()) changed_.notify_all();
     }
   }
 
@@ -81,6 +101,7 @@ class WorkQueue {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Item> items_;  // guarded by mutex_
+  bool working_ = false;    // guarded by mutex_
   bool stopping_ = false;   // guarded by mutex_
 
   std::thread thread_;  // last: it uses all of the above

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/ros/work_queue.h"
+#include "revisit_slam/core/work_queue.h"
 
 #include <gtest/gtest.h>
 

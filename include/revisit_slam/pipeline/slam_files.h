@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "revisit_slam/io/submap_files.h"
+#include "revisit_slam/pipeline/back_end.h"
+#include "revisit_slam/pipeline/map_builder.h"
+
+namespace revisit_slam {
+
+/// The maps and the graph of a drive in a folder: submaps while the drive goes on, the rest as
+/// often as it is asked for.
+class SlamFiles {
+ public:
+  /// @throws std::runtime_error naming a folder that cannot be made.
+  SlamFiles(const std::string& folder, const MappingConfig& config);
+
+  /// Writes what was closed. @throws std::runtime_error naming the file.
+  void add(const MapUpdate& update);
+
+  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv, submaps/submaps.csv
+  /// and map.pcd, each whole or not at all. @throws std::runtime_error naming the file.
+  void write(const BackEnd& back_end) const;
+
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+
+ private:
+  std::string folder_;
+  double detail_voxel_size_;
+  SubmapFiles submaps_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/core/map_correction.h"
+#include "revisit_slam/loops/loop_search.h"
+#include "revisit_slam/pipeline/map_builder.h"
+
+namespace revisit_slam {
+
+/// Hears of what the stages behind the odometry come up with, in the thread where it comes up.
+class SlamObserver {
+ public:
+  virtual ~SlamObserver() = default;
+
+  /// In the thread that inserts scans.
+  virtual void onMaps(const MapUpdate&) {}
+  /// The next three in the background thread.
+  virtual void onLoopSearch(const LoopSearchResult&) {}
+  virtual void onRetroactive(const std::vector<LoopProposal>&) {}
+  virtual void onCorrection(const MapCorrectionPtr&) {}
+};
+
+}  // namespace revisit_slam
