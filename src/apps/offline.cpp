@@ -155,6 +155,7 @@ class OfflineRun : private SlamObserver {
 
   void onMaps(const MapUpdate& update) override {
     files_.add(update);
+    if (getenv("DBG")) fprintf(stderr, "submap %u scans %zu points %zu detail %zu local %zu rss %.1f path %.0f\n", update.submap->id.value, update.submap->stamps.size(), update.submap->points.size(), update.detail_submap.size(), update.local_map?update.local_map->points.size():0, memoryMegabytes(), folder_.pathLength()); // DBG
     if (!update.local_map) return;
     if (first_memory_mb_ == 0.0) {
       first_memory_mb_ = memoryMegabytes();
