@@ -72,7 +72,7 @@ class OfflineRun : private SlamObserver {
         folder_(options.out),
         front_end_(config),
         information_(config.information),
-        files_(options.out, config.mapping),
+        files_(options.out, config.mapping, config.occupancy),
         slam_(config, *this),
         total_(options.max_scans > 0 ? std::min(options.max_scans, bag_.size()) : bag_.size()),
         progress_("mapping", "scans", total_, options.quiet) {}
