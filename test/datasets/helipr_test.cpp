@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "datasets/dataset_writers.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "support/contains.h"
@@ -38,6 +40,22 @@ INSTANTIATE_TEST_SUITE_P(
         Sensor{"helipr-avia", "Avia", "rosette", "field 'offset_time', uint32, relative ns"},
         Sensor{"helipr-aeva", "Aeva", "narrow", "field 'time_offset_ns', int32, relative ns"},
         Sensor{"helipr-velodyne", "Velodyne", "spinning-16", "field 'time', float32, relative s"}));
+
+TEST(Helipr, FieldsBehindTheTimeAreInPlace) {
+  const TemporaryFolder folder;
+  const auto simulated = simulatedScans("spinning-64", 100);
+  writeHelipr(folder, "Ouster", simulated);
+  const sensor_msgs::PointCloud2 cloud = openDataset("helipr-ouster", folder.file(""))->read(0);
+  ASSERT_EQ(cloud.fields.size(), 8u);
+  const sensor_msgs::PointField& ring = cloud.fields[6];
+  EXPECT_EQ(ring.name, "ring");
+  EXPECT_EQ(ring.datatype, sensor_msgs::PointField::UINT16);
+  for (std::size_t i = 0; i < simulated[0].rings.size(); ++i) {
+    std::uint16_t value;
+    std::memcpy(&value, &cloud.data[i * cloud.point_step + ring.offset], sizeof(value));
+    ASSERT_EQ(value, simulated[0].rings[i]) << i;
+  }
+}
 
 TEST(Helipr, EarlyScansOfAevaHaveNoIntensity) {
   const TemporaryFolder folder;
