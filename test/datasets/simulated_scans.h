@@ -25,8 +25,7 @@ inline std::vector<SimulatedScan> simulatedScans(const std::string& sensor, int 
   return scans;
 }
 
-/// The message is read as this scan, each point at its instant; `per_tick` seconds are lost in the
-/// format.
+/// The message is read as this scan, each point at its instant to `tick` seconds.
 inline void expectDeskewable(const sensor_msgs::PointCloud2& cloud, const SimulatedScan& expected,
                              double tick = 1e-8) {
   ScanReader reader({});
