@@ -23,7 +23,8 @@ RecordLayout layoutOf(const std::string& sensor, Stamp stamp) {
   };
   if (sensor == "Ouster")
     add({{"intensity", f32}, {"t", u32}, {"reflectivity", u16}, {"ring", u16}, {"ambient", u16}});
-  if (sensor == "Avia") add({{"reflectivity", u8}, {"tag", u8}, {"line", u8}, {"offset_time", u32}});
+  if (sensor == "Avia")
+    add({{"reflectivity", u8}, {"tag", u8}, {"line", u8}, {"offset_time", u32}});
   if (sensor == "Velodyne") add({{"intensity", f32}, {"ring", u16}, {"time", f32}});
   if (sensor == "Aeva") {
     add({{"reflectivity", f32}, {"velocity", f32}, {"time_offset_ns", i32}, {"line_index", u8}});
@@ -40,8 +41,9 @@ std::string lowerCase(std::string text) {
 class Helipr : public DatasetScans {
  public:
   Helipr(const std::string& folder, const std::string& sensor)
-      : DatasetScans(lowerCase(sensor), scansByStamp(numberedFiles(
-                                            requireBelow(folder, {"LiDAR/" + sensor, sensor}), ".bin"))),
+      : DatasetScans(lowerCase(sensor),
+                     scansByStamp(numberedFiles(
+                         requireBelow(folder, {"LiDAR/" + sensor, sensor}), ".bin"))),
         sensor_(sensor),
         truth_(findBelow(folder, {"LiDAR_GT/" + sensor + "_gt.txt",
                                   "LiDAR_GT/global_" + sensor + "_gt.txt"})) {}

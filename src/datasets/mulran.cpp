@@ -24,8 +24,9 @@ Pose baseToOuster() {
 class Mulran : public DatasetScans {
  public:
   explicit Mulran(const std::string& folder)
-      : DatasetScans("ouster", scansByStamp(numberedFiles(
-                                   requireBelow(folder, {"Ouster", "sensor_data/Ouster"}), ".bin"))),
+      : DatasetScans("ouster",
+                     scansByStamp(numberedFiles(
+                         requireBelow(folder, {"Ouster", "sensor_data/Ouster"}), ".bin"))),
         truth_(findBelow(folder, {"global_pose.csv"})) {}
 
   std::optional<Trajectory> groundTruth() const override {

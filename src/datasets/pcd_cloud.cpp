@@ -18,8 +18,8 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 [[noreturn]] void cutOff(const std::string& path, std::size_t there, std::size_t wanted) {
-  throw DatasetError(path, "has " + std::to_string(there) + " bytes of points, its header announces " +
-                               std::to_string(wanted));
+  throw DatasetError(path, "has " + std::to_string(there) +
+                               " bytes of points, its header announces " + std::to_string(wanted));
 }
 
 Bytes binaryPoints(const std::string& path, const PcdHeader& header, const Bytes& file) {
@@ -46,7 +46,8 @@ Bytes compressedPoints(const std::string& path, const PcdHeader& header, const B
   const auto compressed = loadNumber<std::uint32_t, false>(body);
   const auto decompressed = loadNumber<std::uint32_t, false>(body + 4);
   if (decompressed != wanted) cutOff(path, decompressed, wanted);
-  if (compressed > there - 8 || wanted / best_ratio > compressed) cutOff(path, there - 8, compressed);
+  if (compressed > there - 8) cutOff(path, there - 8, compressed);
+  if (wanted / best_ratio > compressed) cutOff(path, compressed, wanted / best_ratio);
   Bytes field_by_field(wanted);
   const unsigned int got = pcl::lzfDecompress(body + 8, compressed, field_by_field.data(),
                                               static_cast<unsigned int>(wanted));
@@ -65,7 +66,7 @@ void store(double value, std::uint8_t* to) {
 }
 
 Bytes asciiPoints(const std::string& path, const PcdHeader& header, const Bytes& file) {
-  // Each number takes two characters at least, so that a wrong count is known before memory is taken.
+  // Each number takes two characters, so that a wrong count is known before memory is taken.
   const std::size_t there = file.size() - header.size;
   if (there / 2 + 1 < header.points()) cutOff(path, there, 2 * header.points());
   const std::string text(file.begin() + static_cast<std::ptrdiff_t>(header.size), file.end());

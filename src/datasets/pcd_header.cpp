@@ -43,7 +43,8 @@ Entries readEntries(const std::string& path, const std::vector<std::uint8_t>& by
   Entries entries;
   auto line_begin = bytes.begin();
   for (std::size_t count = 0; count < most_lines && entries.count("DATA") == 0; ++count) {
-    const auto limit = line_begin + std::min<std::ptrdiff_t>(longest_line, bytes.end() - line_begin);
+    const auto left = bytes.end() - line_begin;
+    const auto limit = line_begin + std::min<std::ptrdiff_t>(longest_line, left);
     const auto line_end = std::find(line_begin, limit, '\n');
     if (line_end == limit) break;
     std::istringstream words(std::string(line_begin, line_end));

@@ -58,7 +58,8 @@ TEST(ConvertDataset, WithoutOneGoodScanThereIsNoBag) {
   const TemporaryFolder folder;
   for (const std::string& path : writeKittiOdometry(folder, simulatedScans("spinning-16", 50)))
     std::filesystem::resize_file(path, 33);
-  const Conversion run("kitti-odometry", folder.file("data/sequences/04"), folder.file("drive.bag"));
+  const std::string sequence = folder.file("data/sequences/04"), bag = folder.file("drive.bag");
+  const Conversion run("kitti-odometry", sequence, bag);
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(contains(run.output, "not one scan"));
   for (const auto& entry : std::filesystem::directory_iterator(folder.file("")))

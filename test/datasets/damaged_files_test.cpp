@@ -25,7 +25,8 @@ Written write(const std::string& dataset, const TemporaryFolder& folder) {
   if (dataset == "helipr-ouster") return {folder.file(""), writeHelipr(folder, "Ouster", scans)};
   if (dataset == "helipr-avia") return {folder.file(""), writeHelipr(folder, "Avia", scans)};
   if (dataset == "helipr-aeva") return {folder.file(""), writeHelipr(folder, "Aeva", scans)};
-  if (dataset == "helipr-velodyne") return {folder.file(""), writeHelipr(folder, "Velodyne", scans)};
+  if (dataset == "helipr-velodyne")
+    return {folder.file(""), writeHelipr(folder, "Velodyne", scans)};
   if (dataset == "mulran") return {folder.file(""), writeMulran(folder, scans)};
   if (dataset == "apollo") return {folder.file(""), writeApollo(folder, scans)};
   if (dataset == "newer-college") return {folder.file(""), writeNewerCollege(folder, scans)};

@@ -93,9 +93,9 @@ inline Paths writeNewerCollege(const TemporaryFolder& folder,
   Paths paths;
   for (const SimulatedScan& scan : scans) {
     const std::int64_t stamp = scan.first.nanoseconds;
-    paths.push_back(folder.file("raw_format/ouster_scan/cloud_" +
-                                std::to_string(stamp / 1'000'000'000) + "_" +
-                                padded(static_cast<std::size_t>(stamp % 1'000'000'000), 9) + ".pcd"));
+    const std::string seconds = std::to_string(stamp / 1'000'000'000);
+    const std::string rest = padded(static_cast<std::size_t>(stamp % 1'000'000'000), 9);
+    paths.push_back(folder.file("raw_format/ouster_scan/cloud_" + seconds + "_" + rest + ".pcd"));
     ByteFile file;
     file.text(pcdHeader("x y z intensity t reflectivity ring noise range", "4 4 4 4 4 2 1 2 4",
                         "F F F F U U U U U", scan.scan.points.size(), "binary"));

@@ -78,9 +78,10 @@ TEST(Helipr, EarlyScansOfAevaHaveNoIntensity) {
 TEST(Helipr, GroundTruthIsThatOfTheSensor) {
   const TemporaryFolder folder;
   writeHelipr(folder, "Avia", simulatedScans("rosette", 50));
-  const auto scans = openDataset("helipr-avia", folder.file(""));
   EXPECT_FALSE(openDataset("helipr-avia", folder.file(""))->groundTruth());
-  ByteFile().text("1700000000500000001 1 2 3 0 0 0.6 0.8\n").save(folder.file("LiDAR_GT/Avia_gt.txt"));
+  ByteFile()
+      .text("1700000000500000001 1 2 3 0 0 0.6 0.8\n")
+      .save(folder.file("LiDAR_GT/Avia_gt.txt"));
   const auto truth = openDataset("helipr-avia", folder.file(""))->groundTruth();
   ASSERT_TRUE(truth);
   ASSERT_EQ(truth->size(), 1u);

@@ -84,13 +84,10 @@ TEST(Pcd, GarbageInTheHeaderIsAnError) {
   EXPECT_TRUE(contains(pcd.errorOf(head + fields + "SIZE -4\n" + type + tail + body), "SIZE"));
   EXPECT_TRUE(contains(pcd.errorOf(head + fields + "SIZE 3\n" + type + tail + body), "SIZE 3"));
   EXPECT_TRUE(contains(pcd.errorOf(head + fields + size + "TYPE Q\n" + tail + body), "TYPE Q"));
-  EXPECT_TRUE(contains(
-      pcd.errorOf(head + fields + size + type + "WIDTH 1\nHEIGHT 1\nPOINTS 2\nDATA binary\n" + body),
-      "POINTS"));
-  EXPECT_TRUE(contains(
-      pcd.errorOf(head + fields + size + type + "WIDTH x\nHEIGHT 1\nDATA binary\n" + body), "WIDTH"));
-  EXPECT_TRUE(contains(
-      pcd.errorOf(head + fields + size + type + "WIDTH 1\nHEIGHT 1\nDATA zip\n" + body), "zip"));
+  const std::string all = head + fields + size + type, one = "WIDTH 1\nHEIGHT 1\n";
+  EXPECT_TRUE(contains(pcd.errorOf(all + one + "POINTS 2\nDATA binary\n" + body), "POINTS"));
+  EXPECT_TRUE(contains(pcd.errorOf(all + "WIDTH x\nHEIGHT 1\nDATA binary\n" + body), "WIDTH"));
+  EXPECT_TRUE(contains(pcd.errorOf(all + one + "DATA zip\n" + body), "zip"));
   EXPECT_TRUE(contains(pcd.errorOf(std::string(100000, '\xff')), "no PCD header"));
 }
 
