@@ -11,7 +11,7 @@ catkin_package(
   CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet rosbag roscpp
                  sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
 
-file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp src/datasets/*.cpp)
 add_library(revisit_slam_ros STATIC ${ros_sources})
 revisit_slam_target_options(revisit_slam_ros)
 target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
@@ -33,6 +33,7 @@ revisit_slam_program(offline)
 revisit_slam_program(simulate revisit_slam_simulation)
 revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
+revisit_slam_program(convert_dataset)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
