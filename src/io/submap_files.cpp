@@ -100,7 +100,7 @@ void SubmapFiles::merge(const std::string& path, const std::vector<Pose>& T_map_
     for (const auto& [tile, submaps] : submaps_of_tile) {
       PointMap merged(voxel_size);
       for (const std::size_t i : submaps)
-        merged.insert(within(tile, readPcd(file(i)), T_map_submap[i]), Pose::identity());
+        merged.insert(within(tile, readPcdPoints(file(i)), T_map_submap[i]), Pose::identity());
       stream.write(merged.points());
     }
     stream.finish();

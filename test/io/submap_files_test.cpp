@@ -38,7 +38,7 @@ TEST(SubmapFiles, MergesWhereTheGraphPlacesThem) {
       {Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ())), {-150.0, 80.0, 3.0}},
       {Eigen::Quaterniond::Identity(), {1000.0, -2000.0, 0.0}}};
   files.merge(folder.file("map.pcd"), poses, 1e-3);
-  const Points merged = readPcd(folder.file("map.pcd"));
+  const Points merged = readPcdPoints(folder.file("map.pcd"));
   ASSERT_EQ(merged.size(), a.size() + b.size());
   for (const std::size_t i : {0u, 77u, 499u}) {
     EXPECT_TRUE(contains(merged, poses[0] * Eigen::Vector3d(a[i].cast<double>())));
@@ -51,7 +51,7 @@ TEST(SubmapFiles, KeepsOnePointOfAVoxelSeenFromTwoSubmaps) {
   SubmapFiles files(folder.file("submaps"));
   for (std::uint32_t id : {0u, 1u}) files.add(submapOf(id), {{10.1f, 20.1f, 0.1f}});
   files.merge(folder.file("map.pcd"), {Pose(), Pose()}, 0.5);
-  EXPECT_EQ(readPcd(folder.file("map.pcd")).size(), 1u);
+  EXPECT_EQ(readPcdPoints(folder.file("map.pcd")).size(), 1u);
 }
 
 TEST(SubmapFiles, TheTableTellsWhichScansASubmapHas) {
@@ -76,9 +76,9 @@ TEST(Pcd, AStreamOfPiecesIsOneFile) {
   stream.write({{1, 2, 3}});
   stream.write({{4, 5, 6}, {7, 8, 9}});
   stream.finish();
-  EXPECT_EQ(readPcd(folder.file("pieces.pcd")), (Points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
-  EXPECT_THROW(readPcd(folder.with("bad.pcd", "no cloud")), std::runtime_error);
-  EXPECT_THROW(readPcd(folder.file("gone.pcd")), std::runtime_error);
+  EXPECT_EQ(readPcdPoints(folder.file("pieces.pcd")), (Points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+  EXPECT_THROW(readPcdPoints(folder.with("bad.pcd", "no cloud")), std::runtime_error);
+  EXPECT_THROW(readPcdPoints(folder.file("gone.pcd")), std::runtime_error);
 }
 
 }  // namespace
