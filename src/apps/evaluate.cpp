@@ -5,6 +5,7 @@
 #include <topic_tools/shape_shifter.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,12 +13,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "revisit_slam/evaluation/consistency_builder.h"
-#include "revisit_slam/evaluation/evaluation.h"
+#include "revisit_slam/evaluation/estimate_judge.h"
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/progress.h"
 #include "revisit_slam/io/whole_file.h"
-#include "revisit_slam/odometry/preprocessing.h"
 #include "revisit_slam/pipeline/slam_config.h"
 #include "revisit_slam/ros/bag_scans.h"
 #include "revisit_slam/ros/scan_reader.h"
@@ -67,60 +66,13 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
       throw ParameterError("--set " + setting + " is not of the form key=value");
-    assign(parametersOf(options.config),
-           {{setting.substr(0, equals), setting.substr(equals + 1)}});
+    assign(parametersOf(options.config), {{setting.substr(0, equals), setting.substr(equals + 1)}});
   }
   return options;
 }
 
-/// The points of a scan in the base frame at its stamp, with the motion within the scan taken out as
-/// the estimate has it.
-std::optional<Points> pointsAlong(const PoseInterpolator& estimate, const Scan& scan,
-                                  const Pose& T_world_base, const OdometryConfig& config) {
-  ConstantMotion motion;
-  if (config.deskew && !scan.times.empty()) {
-    const double span = -*std::min_element(scan.times.begin(), scan.times.end());
-    const PoseAnswer start = estimate.at(scan.stamp.plusSeconds(-span));
-    if (!start) return std::nullopt;
-    if (span > 0.0) motion = ConstantMotion(log(start.T_world_base.inverse() * T_world_base) / span);
-  }
-  return preprocess(scan, motion, config).points_base;
-}
-
-/// An estimate and the maps that are made of it.
-class Subject {
- public:
-  Subject(const std::string& name, const std::string& file,
-          const std::optional<PoseInterpolator>& reference, const ConsistencyConfig& config)
-      : estimate_(readTrajectory(file, reference ? reference->poses() : Trajectory{})),
-        builder_(findRevisits(reference ? reference->poses() : estimate_.poses(), config), config) {
-    evaluation_.name = name;
-    evaluation_.file = file;
-    evaluation_.estimate = estimate_.poses();
-    if (reference) evaluation_.trajectory = evaluateTrajectory(estimate_, *reference);
-  }
-
-  void insert(const Scan& scan, const OdometryConfig& config) {
-    if (!builder_.wants(scan.stamp)) return;
-    const PoseAnswer pose = estimate_.at(scan.stamp);
-    const std::optional<Points> points =
-        pose ? pointsAlong(estimate_, scan, pose.T_world_base, config) : std::nullopt;
-    ++(points ? evaluation_.scans_used : evaluation_.scans_without_pose);
-    if (points) builder_.insert(scan.stamp, *points, pose.T_world_base);
-  }
-
-  void compareMaps() { evaluation_.consistency = builder_.finish(); }
-
-  const EstimateEvaluation& evaluation() const { return evaluation_; }
-
- private:
-  PoseInterpolator estimate_;
-  ConsistencyBuilder builder_;
-  EstimateEvaluation evaluation_;
-};
-
 /// Reads the bag once for all.
-void insertScans(const Options& options, std::vector<Subject>& subjects) {
+void insertScans(const Options& options, std::vector<EstimateJudge>& judges) {
   BagScans bag(options.bags, options.topic);
   ScanReader reader(options.config.input);
   const std::string& base = options.config.frames.base;
@@ -131,20 +83,21 @@ void insertScans(const Options& options, std::vector<Subject>& subjects) {
   std::size_t done = 0, rejected = 0;
   for (const rosbag::MessageInstance& instance : bag.messages()) {
     const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
-    ScanReading reading =
-        cloud ? reader.read(*cloud) : reader.read(*instance.instantiate<topic_tools::ShapeShifter>());
+    ScanReading reading = cloud ? reader.read(*cloud)
+                                : reader.read(*instance.instantiate<topic_tools::ShapeShifter>());
     progress.update(++done);
     rejected += !reading.scan;
     if (!reading.scan) continue;
     if (!T_base_sensor) T_base_sensor = bag.findExtrinsics(base, reading.frame_id);
     if (!T_base_sensor)
-      throw BagError("the bag has no transform from '" + reading.frame_id + "' to '" + base +
-                     "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
+      throw BagError(
+          "the bag has no transform from '" + reading.frame_id + "' to '" + base +
+          "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
     reading.scan->T_base_sensor = *T_base_sensor;
-    for (Subject& subject : subjects) subject.insert(*reading.scan, options.config.odometry);
+    for (EstimateJudge& judge : judges) judge.insert(*reading.scan, options.config.odometry);
   }
   if (rejected > 0) progress.say(std::to_string(rejected) + " scans could not be read");
-  for (Subject& subject : subjects) subject.compareMaps();
+  for (EstimateJudge& judge : judges) judge.compareMaps();
   progress.finish();
 }
 
@@ -164,20 +117,20 @@ std::vector<std::string> tableRow(const EstimateEvaluation& e) {
                            cell(rpe.rotation_deg_per_m, 5)});
   }
   if (e.consistency)
-    row.insert(row.end(), {std::to_string(e.consistency->cells.size()), cell(e.consistency->mean, 4),
-                           cell(e.consistency->standard_deviation, 4),
-                           cell(100.0 * e.consistency->share, 1)});
+    row.insert(row.end(),
+               {std::to_string(e.consistency->cells.size()), cell(e.consistency->mean, 4),
+                cell(e.consistency->standard_deviation, 4), cell(100.0 * e.consistency->share, 1)});
   return row;
 }
 
-void printTable(const std::vector<Subject>& subjects) {
-  const EstimateEvaluation& first = subjects.front().evaluation();
+void printTable(const std::vector<EstimateJudge>& judges) {
+  const EstimateEvaluation& first = judges.front().evaluation();
   std::vector<std::vector<std::string>> table{{"estimate", "poses"}};
   if (first.trajectory)
     table[0].insert(table[0].end(), {"left out", "ATE [m]", "median", "max", "RPE [%]", "[deg/m]"});
   if (first.consistency)
     table[0].insert(table[0].end(), {"revisits", "map RMS [m]", "std", "paired [%]"});
-  for (const Subject& subject : subjects) table.push_back(tableRow(subject.evaluation()));
+  for (const EstimateJudge& judge : judges) table.push_back(tableRow(judge.evaluation()));
   for (const auto& row : table) {
     for (std::size_t column = 0; column < row.size(); ++column) {
       std::size_t width = 0;
@@ -188,14 +141,14 @@ void printTable(const std::vector<Subject>& subjects) {
   }
 }
 
-void writeFiles(const Options& options, const std::vector<Subject>& subjects) {
+void writeFiles(const Options& options, const std::vector<EstimateJudge>& judges) {
   std::filesystem::create_directories(options.out);
   EvaluateConfig config = options.config;
-  nlohmann::json all = {{"reference", options.reference.empty() ? nlohmann::json() : nlohmann::json(options.reference)},
+  nlohmann::json all = {{"reference", options.reference},
                         {"parameters", toJson(parametersOf(config))},
                         {"estimates", nlohmann::json::array()}};
-  for (const Subject& subject : subjects) {
-    const EstimateEvaluation& evaluation = subject.evaluation();
+  for (const EstimateJudge& judge : judges) {
+    const EstimateEvaluation& evaluation = judge.evaluation();
     const std::string end = "_" + evaluation.name + ".csv";
     writeWholeText(options.out + "/poses" + end, posesCsv(evaluation));
     if (evaluation.consistency)
@@ -205,30 +158,33 @@ void writeFiles(const Options& options, const std::vector<Subject>& subjects) {
   writeWholeText(options.out + "/evaluation.json", all.dump(1) + "\n");
 }
 
-std::vector<Subject> readSubjects(const Options& options) {
+std::vector<EstimateJudge> readEstimates(const Options& options) {
   std::optional<PoseInterpolator> reference;
   if (!options.reference.empty()) reference.emplace(readTrajectory(options.reference));
-  std::vector<Subject> subjects;
+  std::vector<EstimateJudge> judges;
   for (const std::string& named : options.estimates) {
     const std::size_t equals = named.find('=');
     const std::string name = named.substr(0, equals);
     if (equals == std::string::npos || name.empty() || name.find('/') != std::string::npos)
       throw ParameterError("--estimate " + named + " is not of the form NAME=FILE");
-    for (const Subject& other : subjects)
+    for (const EstimateJudge& other : judges)
       if (other.evaluation().name == name)
         throw ParameterError("--estimate " + named + ": there are two of this name");
-    subjects.emplace_back(name, named.substr(equals + 1), reference, options.config.consistency);
+    Trajectory poses =
+        readTrajectory(named.substr(equals + 1), reference ? reference->poses() : Trajectory{});
+    judges.emplace_back(name, PoseInterpolator(std::move(poses)), reference,
+                        options.config.consistency);
   }
-  return subjects;
+  return judges;
 }
 
 void run(const Options& options) {
   if (options.reference.empty() && options.bags.empty())
     throw ParameterError("nothing to judge by: give --reference, --bag or both");
-  std::vector<Subject> subjects = readSubjects(options);
-  if (!options.bags.empty()) insertScans(options, subjects);
-  printTable(subjects);
-  if (!options.out.empty()) writeFiles(options, subjects);
+  std::vector<EstimateJudge> judges = readEstimates(options);
+  if (!options.bags.empty()) insertScans(options, judges);
+  printTable(judges);
+  if (!options.out.empty()) writeFiles(options, judges);
 }
 
 }  // namespace

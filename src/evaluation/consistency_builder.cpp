@@ -49,7 +49,9 @@ const ConsistencyBuilder::Visit* ConsistencyBuilder::visitAt(Stamp stamp) const 
   return &*(next - 1);
 }
 
-bool ConsistencyBuilder::wants(Stamp stamp) const { return visitAt(stamp) != nullptr; }
+bool ConsistencyBuilder::wants(Stamp stamp) const {
+  return visitAt(stamp) != nullptr;
+}
 
 void ConsistencyBuilder::insert(Stamp stamp, const Points& points, const Pose& T_world_points) {
   closeBefore(stamp);

@@ -5,24 +5,27 @@
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace revisit_slam {
 namespace {
 
 using nlohmann::json;
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+json number(double value) {
+  return std::isfinite(value) ? json(value) : json();
+}
 
 json toJson(const AbsoluteError& error) {
   const Pose& T = error.T_reference_estimate;
-  return {{"rmse_m", error.rmse},
-          {"mean_m", error.mean},
-          {"median_m", error.median},
-          {"max_m", error.max},
-          {"reference_from_estimate",
-           {{"translation_m", {T.translation.x(), T.translation.y(), T.translation.z()}},
-            {"quaternion_xyzw",
-             {T.rotation.x(), T.rotation.y(), T.rotation.z(), T.rotation.w()}}}}};
+  return {
+      {"rmse_m", error.rmse},
+      {"mean_m", error.mean},
+      {"median_m", error.median},
+      {"max_m", error.max},
+      {"reference_from_estimate",
+       {{"translation_m", {T.translation.x(), T.translation.y(), T.translation.z()}},
+        {"quaternion_xyzw", {T.rotation.x(), T.rotation.y(), T.rotation.z(), T.rotation.w()}}}}};
 }
 
 json byLength(const std::vector<SubsequenceError>& subsequences) {
@@ -58,8 +61,8 @@ json toJson(const RelativeError& error) {
 json toJson(const RevisitCell& cell) {
   json segments = json::array();
   for (const RevisitSegment& segment : cell.segments)
-    segments.push_back({stampText(segment.intervals.front().begin),
-                        stampText(segment.intervals.back().end)});
+    segments.push_back(
+        {stampText(segment.intervals.front().begin), stampText(segment.intervals.back().end)});
   return {{"index", {cell.index.x(), cell.index.y()}},
           {"centre_m", {cell.centre.x(), cell.centre.y()}},
           {"segments", segments}};
@@ -100,9 +103,7 @@ TrajectoryEvaluation evaluateTrajectory(const PoseInterpolator& estimate,
 }
 
 json toJson(const EstimateEvaluation& evaluation) {
-  json result = {{"name", evaluation.name},
-                 {"file", evaluation.file},
-                 {"poses", evaluation.estimate.size()}};
+  json result = {{"name", evaluation.name}, {"poses", evaluation.estimate.size()}};
   if (const auto& trajectory = evaluation.trajectory) {
     result["judged_poses"] = trajectory->match.estimate.size();
     result["left_out"] = {{"outside_of_the_reference", trajectory->match.outside},

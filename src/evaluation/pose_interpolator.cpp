@@ -7,7 +7,9 @@
 namespace revisit_slam {
 namespace {
 
-bool isEarlier(const StampedPose& a, const StampedPose& b) { return a.stamp < b.stamp; }
+bool isEarlier(const StampedPose& a, const StampedPose& b) {
+  return a.stamp < b.stamp;
+}
 
 Pose between(const Pose& a, const Pose& b, double fraction) {
   return {a.rotation.slerp(fraction, b.rotation).normalized(),
@@ -25,7 +27,8 @@ PoseInterpolator::PoseInterpolator(Trajectory trajectory, double longest_gap)
 
 PoseAnswer PoseInterpolator::at(Stamp stamp) const {
   using Kind = PoseAnswer::Kind;
-  const auto later = std::lower_bound(poses_.begin(), poses_.end(), StampedPose{stamp, {}}, isEarlier);
+  const auto later =
+      std::lower_bound(poses_.begin(), poses_.end(), StampedPose{stamp, {}}, isEarlier);
   if (later != poses_.end() && later->stamp == stamp) return {Kind::found, later->T_world_base};
   if (later == poses_.begin() || later == poses_.end()) {
     if (poses_.empty()) return {Kind::outside, {}};

@@ -14,9 +14,9 @@ constexpr std::size_t kStep = 10;
 std::vector<double> waysAlong(const Trajectory& reference) {
   std::vector<double> ways(reference.size(), 0.0);
   for (std::size_t i = 1; i < reference.size(); ++i)
-    ways[i] = ways[i - 1] + (reference[i].T_world_base.translation -
-                             reference[i - 1].T_world_base.translation)
-                                .norm();
+    ways[i] =
+        ways[i - 1] +
+        (reference[i].T_world_base.translation - reference[i - 1].T_world_base.translation).norm();
   return ways;
 }
 

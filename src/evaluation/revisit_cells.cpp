@@ -31,7 +31,8 @@ std::vector<Run> cutIntoRuns(const Trajectory& trajectory, double cell_size) {
     const bool after_gap =
         !runs.empty() && secondsBetween(previous, stamp) > PoseInterpolator::kLongestGap;
     if (!runs.empty() && !after_gap) runs.back().interval.end = stamp;
-    if (runs.empty() || after_gap || runs.back().cell != cell) runs.push_back({cell, {stamp, stamp}});
+    if (runs.empty() || after_gap || runs.back().cell != cell)
+      runs.push_back({cell, {stamp, stamp}});
     runs.back().interval.end = {stamp.nanoseconds + 1};
     runs.back().height_sum += p.z();
     ++runs.back().poses;

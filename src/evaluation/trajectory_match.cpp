@@ -25,7 +25,8 @@ Trajectory stampedAs(const Trajectory& reference, const std::vector<Pose>& poses
   if (poses.size() != reference.size())
     throw std::runtime_error("'" + path + "' has " + std::to_string(poses.size()) +
                              " poses without stamps, the reference " +
-                             std::to_string(reference.size()) + ": which belongs to which is not known");
+                             std::to_string(reference.size()) +
+                             ": which belongs to which is not known");
   Trajectory trajectory;
   for (std::size_t i = 0; i < poses.size(); ++i)
     trajectory.push_back({reference[i].stamp, poses[i]});

@@ -11,16 +11,16 @@
 namespace revisit_slam {
 namespace {
 
-constexpr double kLength = 60.0;
+constexpr double kLength = 60.0, kStep = 2.0;
 
-/// There and back along the street with a stop at its end, 5 m a second.
+/// There and back along the street with a stop at its end.
 class StreetDrive {
  public:
   StreetDrive() {
-    for (double x = 0.0; x <= kLength; x += 1.0) add(x);
-    for (int i = 0; i < 40; ++i) add(kLength);
+    for (double x = 0.0; x <= kLength; x += kStep) add(x, 0.4);
     turn_ = truth_.size();
-    for (double x = kLength; x >= 0.0; x -= 1.0) add(x);
+    for (int i = 0; i < 40; ++i) add(kLength, 0.9);
+    for (double x = kLength; x >= 0.0; x -= kStep) add(x, 0.4);
     SyntheticStreet street(1, 2, kLength);
     for (const StampedPose& pose : truth_) scans_.push_back(street.scan(pose.T_world_base));
   }
@@ -43,16 +43,14 @@ class StreetDrive {
   }
 
  private:
-  void add(double x) {
-    Stamp stamp = truth_.empty() ? stampOf(0) : truth_.back().stamp.plusSeconds(x == last_x_ ? 0.9 : 0.2);
-    last_x_ = x;
+  void add(double x, double seconds) {
+    const Stamp stamp = truth_.empty() ? stampOf(0) : truth_.back().stamp.plusSeconds(seconds);
     truth_.push_back({stamp, poseAt(x, 0.0)});
   }
 
   Trajectory truth_;
   std::vector<Points> scans_;
   std::size_t turn_ = 0;
-  double last_x_ = 0.0;
 };
 
 const StreetDrive& street() {
@@ -64,7 +62,7 @@ TEST(Consistency, OfTruePosesIsAboutNoiseAndVoxels) {
   const MapConsistency result = street().judge(street().truth());
   ASSERT_GE(result.cells.size(), 3u);
   EXPECT_EQ(result.cells_without_pairs, 0u);
-  EXPECT_GT(result.mean, 0.02);                              // the noise of the scans
+  EXPECT_GT(result.mean, 0.02);  // the noise of the scans
   EXPECT_LT(result.mean, 0.5 * ConsistencyConfig{}.voxel_size);
   EXPECT_LT(result.standard_deviation, 0.3 * result.mean);
   EXPECT_GT(result.share, 0.98);
@@ -107,7 +105,8 @@ TEST(Consistency, KeepsTheMapsOfTheWorstCells) {
   const MapConsistency result = street().judge(street().shifted(0.2), config);
   ASSERT_EQ(result.worst.size(), 2u);
   double largest = 0.0;
-  for (const CellConsistency& cell : result.cells) largest = std::max(largest, cell.distances.rms());
+  for (const CellConsistency& cell : result.cells)
+    largest = std::max(largest, cell.distances.rms());
   const CellMaps& worst = result.worst.front();
   ASSERT_EQ(worst.maps.size(), 2u);
   EXPECT_EQ(nearestDistances(worst.maps[0], worst.maps[1], config.max_distance).rms(), largest);

@@ -27,15 +27,17 @@ TEST(Evaluation, TablesHaveAlignedPositionsBesideTheReference) {
   const EstimateEvaluation evaluation = withReference();
   const std::string text = posesCsv(evaluation);
   EXPECT_EQ(linesOf(text), 151u);
-  EXPECT_EQ(text.find("stamp,x,y,z,reference_x,reference_y,reference_z,error\n1700000000.000000000,"),
-            0u);
+  EXPECT_EQ(
+      text.find("stamp,x,y,z,reference_x,reference_y,reference_z,error\n1700000000.000000000,"),
+      0u);
   EstimateEvaluation alone;
   alone.estimate = windingDrive(3);
   EXPECT_EQ(linesOf(posesCsv(alone)), 4u);
 }
 
 TEST(Evaluation, UnknownNumbersAreKeptOutOfTheMeans) {
-  RevisitCell place{{1, -2}, {20, -40}, {{{{stampOf(0), stampOf(9)}}}, {{{stampOf(500), stampOf(509)}}}}};
+  RevisitCell place{
+      {1, -2}, {20, -40}, {{{{stampOf(0), stampOf(9)}}}, {{{stampOf(500), stampOf(509)}}}}};
   const MapConsistency result = summarise(
       {{place, {100, 50, 50 * 0.04}}, {place, {100, 0, 0.0}}, {place, {100, 100, 100 * 0.16}}}, {});
   EXPECT_EQ(result.cells.size(), 2u);

@@ -38,7 +38,8 @@ TEST(NearestDistances, AreThoseOfBruteForce) {
 }
 
 TEST(NearestDistances, OfTwoPointsAreCountedFromBothSides) {
-  const NearestDistances distances = nearestDistances({{0, 0, 0}, {9, 0, 0}}, {{0.3f, 0.4f, 0}}, 1.0);
+  const NearestDistances distances =
+      nearestDistances({{0, 0, 0}, {9, 0, 0}}, {{0.3f, 0.4f, 0}}, 1.0);
   EXPECT_EQ(distances.points, 3u);
   EXPECT_EQ(distances.paired, 2u);
   EXPECT_NEAR(distances.rms(), 0.5, 1e-7);

@@ -13,7 +13,9 @@ using Kind = PoseAnswer::Kind;
 const Pose kHere{Eigen::Quaterniond::Identity(), {0, 0, 0}};
 const Pose kThere{expSO3({0, 0, 1.0}), {4, -2, 1}};
 
-Stamp at(double seconds) { return Stamp::fromSeconds(seconds); }
+Stamp at(double seconds) {
+  return Stamp::fromSeconds(seconds);
+}
 
 TEST(PoseInterpolator, InterpolatesPositionsLinearlyAndRotationsAtAConstantRate) {
   const PoseAnswer quarter = PoseInterpolator({{at(1.0), kHere}, {at(1.4), kThere}}).at(at(1.1));

@@ -63,7 +63,9 @@ TEST(RevisitCells, AnIntervalEndsAtAGap) {
   EXPECT_EQ(intervals[1].begin, stampOf(28));
 }
 
-TEST(RevisitCells, OfNothingAreNone) { EXPECT_TRUE(findRevisits({}, {}).empty()); }
+TEST(RevisitCells, OfNothingAreNone) {
+  EXPECT_TRUE(findRevisits({}, {}).empty());
+}
 
 }  // namespace
 }  // namespace revisit_slam

@@ -25,7 +25,6 @@ TrajectoryEvaluation evaluateTrajectory(const PoseInterpolator& estimate,
 /// All that is known of one estimate.
 struct EstimateEvaluation {
   std::string name;
-  std::string file;
   Trajectory estimate;
   std::optional<TrajectoryEvaluation> trajectory;  ///< with a reference
   std::optional<MapConsistency> consistency;       ///< with scans

@@ -10,8 +10,8 @@ namespace revisit_slam {
 /// What the nearest neighbours of points sum up to.
 struct NearestDistances {
   std::size_t points = 0;
-  std::size_t paired = 0;     ///< points with a neighbour nearer than the limit
-  double squared_sum = 0.0;   ///< m^2, over the paired points
+  std::size_t paired = 0;    ///< points with a neighbour nearer than the limit
+  double squared_sum = 0.0;  ///< m^2, over the paired points
 
   NearestDistances& operator+=(const NearestDistances& other);
   /// m; NaN without a pair.

@@ -27,10 +27,10 @@ struct RelativeError {
 
 constexpr std::array<double, 8> kSubsequenceLengths{100, 200, 300, 400, 500, 600, 700, 800};
 
-/// As the benchmark's development kit: a subsequence starts at every tenth pose and ends at the first
-/// pose whose way along the reference is more than its length beyond the start. Its error is
-/// (estimated motion)^-1 * (true motion): the norm of the translation and the angle of the rotation,
-/// divided by the nominal length. Lengths that do not fit are left out.
+/// As the benchmark's development kit: a subsequence starts at every tenth pose and ends at the
+/// first pose whose way along the reference is more than its length beyond the start. Its error is
+/// (estimated motion)^-1 * (true motion): the norm of the translation and the angle of the
+/// rotation, divided by the nominal length. Lengths that do not fit are left out.
 RelativeError relativeError(const TrajectoryMatch& match);
 
 }  // namespace revisit_slam

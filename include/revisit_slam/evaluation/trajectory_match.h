@@ -19,7 +19,8 @@ struct TrajectoryMatch {
 };
 
 /// The reference at the estimate's own stamps.
-TrajectoryMatch matchToReference(const PoseInterpolator& estimate, const PoseInterpolator& reference);
+TrajectoryMatch matchToReference(const PoseInterpolator& estimate,
+                                 const PoseInterpolator& reference);
 
 /// Reads a TUM file, or a KITTI file of as many poses as `reference` has, which get the stamps of
 /// these in order. The number of columns tells which.
