@@ -22,9 +22,9 @@ struct RevisitSegment {
 
 /// A cell of the xy grid with two or more traversals (paper Sec. IV-C).
 struct RevisitCell {
-  Eigen::Vector2i index;
-  Eigen::Vector2d centre;                ///< in the frame of the trajectory, m
-  std::vector<RevisitSegment> segments;  ///< in order of time
+  Eigen::Vector2i index = Eigen::Vector2i::Zero();
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< in the frame of the trajectory, m
+  std::vector<RevisitSegment> segments;              ///< in order of time
 };
 
 /// Whether two traversals are on the same floor, and hence are compared.
