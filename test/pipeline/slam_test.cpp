@@ -40,8 +40,8 @@ Trajectory odometryOf(const InformedDrive& drive) {
 
 TEST(Slam, ClosesTheLoopAndComesNearerToTheTruth) {
   ASSERT_FALSE(fullRun().backEnd().graph().loops().empty());
-  const double before = errorFromStart(odometryOf(oppositeDrive()), oppositeDrive().truth);
-  const double after = errorFromStart(fullRun().backEnd().trajectory(), oppositeDrive().truth);
+  const double before = errorOf(odometryOf(oppositeDrive()), oppositeDrive().truth);
+  const double after = errorOf(fullRun().backEnd().trajectory(), oppositeDrive().truth);
   EXPECT_LT(after, 0.8 * before);
   RecordProperty("before_m", std::to_string(before));
   RecordProperty("after_m", std::to_string(after));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/evaluation/absolute_error.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/pipeline/information_stage.h"
 #include "revisit_slam/pipeline/slam.h"
@@ -63,14 +64,12 @@ class SlamRecorder : public SlamObserver {
   std::vector<MapCorrectionPtr> corrections;
 };
 
-/// RMSE of positions once the first poses coincide, m.
-inline double errorFromStart(const Trajectory& trajectory, const std::vector<Pose>& truth) {
-  const Pose T_world_map = truth.front() * trajectory.front().T_world_base.inverse();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    sum += (T_world_map * trajectory[i].T_world_base.translation - truth[i].translation)
-               .squaredNorm();
-  return std::sqrt(sum / static_cast<double>(truth.size()));
+/// RMSE of positions after rigid alignment, m.
+inline double errorOf(const Trajectory& trajectory, const std::vector<Pose>& truth) {
+  TrajectoryMatch match;
+  match.estimate = match.reference = trajectory;
+  for (std::size_t i = 0; i < truth.size(); ++i) match.reference[i].T_world_base = truth[i];
+  return absoluteError(match).rmse;
 }
 
 }  // namespace revisit_slam

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "revisit_slam/evaluation/map_consistency.h"
 #include "revisit_slam/io/submap_files.h"
 #include "revisit_slam/mapping/occupancy_map.h"
 #include "revisit_slam/pipeline/back_end.h"
@@ -27,9 +28,14 @@ class SlamFiles {
   /// @throws std::runtime_error naming the file.
   void write(const BackEnd& back_end);
 
+  /// How well the map agrees with itself where the drive came back (paper Sec. IV-C), with the
+  /// revisits of the corrected trajectory itself and submaps as what is compared.
+  MapConsistency consistency(const BackEnd& back_end) const;
+
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
 
  private:
+  std::vector<Pose> submapPoses(const BackEnd& back_end) const;
   void writeOccupancy();
 
   std::string folder_;

@@ -144,11 +144,24 @@ void OfflineRun::writeResults() {
   summary.memory_mb_per_km = memoryPerKilometre();
   summary.threads = config_.odometry.threads;
   countLoops(summary);
-  if (config_.mapping.enabled && account.processed > 0) files_.write(slam_.backEnd());
+  if (config_.mapping.enabled && account.processed > 0) {
+    files_.write(slam_.backEnd());
+    judgeConsistency(summary);
+  }
   folder_.finish(summary);
   if (account.processed == 0)
     throw BagError("not one of " + std::to_string(account.received) +
                    " scans could be processed");
+}
+
+void OfflineRun::judgeConsistency(RunSummary& summary) {
+  const MapConsistency consistency = files_.consistency(slam_.backEnd());
+  summary.revisited_cells = consistency.cells.size();
+  if (consistency.cells.empty()) return;
+  summary.consistency_mean = consistency.mean;
+  summary.consistency_deviation = consistency.standard_deviation;
+  progress_.say("revisited places agree within " + std::to_string(consistency.mean) + " m RMS (" +
+                std::to_string(consistency.cells.size()) + " cells)");
 }
 
 void OfflineRun::countLoops(RunSummary& summary) const {

@@ -36,6 +36,7 @@ class OfflineRun : private SlamObserver {
   void finishMaps();
   void sayTimeSource();
   void writeResults();
+  void judgeConsistency(RunSummary& summary);
   void countLoops(RunSummary& summary) const;
   double memoryPerKilometre() const;
 
