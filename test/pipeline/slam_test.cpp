@@ -11,7 +11,7 @@ namespace {
 /// A street that is driven again in the other direction, four local maps later.
 const InformedDrive& oppositeDrive() {
   static const InformedDrive drive =
-      simulateInformedDrive("opposite", 1000.0, "spinning-64", 256, SlamConfig{});
+      simulateInformedDrive("opposite", 1000.0, "spinning-64", 256, 5, SlamConfig{});
   return drive;
 }
 

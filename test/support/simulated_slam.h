@@ -22,13 +22,17 @@ struct InformedDrive {
 
 inline InformedDrive simulateInformedDrive(const std::string& route_name, double length,
                                            const std::string& sensor, int columns,
+                                           unsigned seed,
                                            const SlamConfig& config) {
   using namespace simulation;
   RouteConfig route_config;
   route_config.route = route_name;
   route_config.length = length;
+  route_config.seed = seed;
   const Route route = makeRoute(route_config);
-  const World world = makeWorld({}, route);
+  WorldConfig world_config;
+  world_config.seed = seed;
+  const World world = makeWorld(world_config, route);
   const ScanSimulator simulator(world, route, makeSensor(sensor, columns), {});
   const InformationEstimator estimator(config.information);
   Odometry odometry(config.odometry, [&](RegisteredScan& scan, const LocalVoxelMap& map) {
