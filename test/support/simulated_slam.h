@@ -30,9 +30,7 @@ inline InformedDrive simulateInformedDrive(const std::string& route_name, double
   route_config.length = length;
   route_config.seed = seed;
   const Route route = makeRoute(route_config);
-  WorldConfig world_config;
-  world_config.seed = seed;
-  const World world = makeWorld(world_config, route);
+  const World world = makeWorld({}, route);
   const ScanSimulator simulator(world, route, makeSensor(sensor, columns), {});
   const InformationEstimator estimator(config.information);
   Odometry odometry(config.odometry, [&](RegisteredScan& scan, const LocalVoxelMap& map) {
