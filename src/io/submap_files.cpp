@@ -71,6 +71,10 @@ void SubmapFiles::add(const SubmapPtr& submap, const Points& detail_submap) {
   if (!detail_submap.empty()) writePcd(file(id), detail_submap);
 }
 
+Points SubmapFiles::read(std::size_t submap) const {
+  return boxes_submap_.at(submap).isEmpty() ? Points{} : readPcd(file(submap));
+}
+
 void SubmapFiles::writeTable(const std::vector<Pose>& T_map_submap) const {
   std::ostringstream table;
   table << "submap,local_map,first_scan,last_scan,stamp,x,y,z,qx,qy,qz,qw\n";

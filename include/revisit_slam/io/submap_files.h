@@ -19,6 +19,9 @@ class SubmapFiles {
   /// Ids count from 0 without gaps. @throws std::runtime_error naming the file.
   void add(const SubmapPtr& submap, const Points& detail_submap);
 
+  /// What was added as the detail of a submap. @throws std::runtime_error naming the file.
+  Points read(std::size_t submap) const;
+
   /// submaps.csv: which scans a submap has, and where it lies, by SubmapId.
   void writeTable(const std::vector<Pose>& T_map_submap) const;
 

@@ -19,13 +19,22 @@ class SlamFiles {
   /// Writes what was closed. @throws std::runtime_error naming the file.
   void add(const MapUpdate& update);
 
-  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv, submaps/submaps.csv
-  /// and map.pcd, each whole or not at all. @throws std::runtime_error naming the file.
+  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv and
+  /// submaps/submaps.csv, each whole or not at all: all that the graph says, quickly.
+  /// @throws std::runtime_error naming the file.
+  void writeGraphFiles(const BackEnd& back_end) const;
+
+  /// The same and map.pcd.
   void write(const BackEnd& back_end) const;
 
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  const std::vector<SubmapPtr>& submaps() const { return submaps_.submaps(); }
+  /// The points of a submap as they were added, in its frame. @throws std::runtime_error
+  Points detail(SubmapId id) const { return submaps_.read(id.value); }
 
  private:
+  std::vector<Pose> placesOfSubmaps(const BackEnd& back_end) const;
+
   std::string folder_;
   double detail_voxel_size_;
   SubmapFiles submaps_;
