@@ -48,6 +48,8 @@ class RetroactiveSearch {
  public:
   explicit RetroactiveSearch(const RetroactiveConfig& config) : config_(config) {}
 
+  void reconfigure(const RetroactiveConfig& config) { config_ = config; }
+
   /// Pairs (i, j) with p < i <= n and j earlier, not neighbouring, not in `closed`, whose optimised
   /// trajectories satisfy d_H <= tau_H and come near; most promising first. `maps` counts by local
   /// map id, `T_map_scan` by scan id. Without `p` all maps up to n are searched.

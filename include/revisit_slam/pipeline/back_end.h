@@ -36,6 +36,14 @@ class BackEnd {
   using OnProposals = std::function<void(const std::vector<LoopProposal>&)>;
   BackEnd(const SlamConfig& config, OnCorrection on_correction, OnProposals on_proposals = {});
 
+  /// Kernel, acceptance of loops and retroactive search, from the next local map on.
+  void reconfigure(const SlamConfig& config) {
+    graph_.reconfigure(config.backend);
+    closer_.reconfigure(config.loops.closer);
+    retroactive_.reconfigure(config.retroactive);
+    max_pairs_ = config.retroactive.max_pairs;
+  }
+
   void add(const GraphNode& node) { graph_.add(node); }
 
   /// A local map and the loops that appearance closed for it. Its scans must have been added.

@@ -18,6 +18,7 @@ class Information : public InProcessOdometry {
 
   void loadBoth() {
     ros::param::set(space_ + "information/frames/base", std::string());
+    ros::param::set(space_ + "information/mapping/enabled", false);  // no maps are waited for
     load();
     ASSERT_TRUE(loader_.load(space_ + "information", "revisit_slam/Information", {}, {}));
     registered_subscriber_ = node_.subscribe<RegisteredScan>(
