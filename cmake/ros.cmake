@@ -33,6 +33,9 @@ revisit_slam_program(offline)
 revisit_slam_program(simulate revisit_slam_simulation)
 revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
+revisit_slam_program(benchmark_loops)
+file(GLOB benchmark_loops_sources CONFIGURE_DEPENDS src/apps/benchmark_loops/*.cpp)
+target_sources(benchmark_loops PRIVATE ${benchmark_loops_sources})
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
@@ -40,4 +43,4 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/compare_odometry DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
