@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """MapClosures on local maps written by benchmark_loops. Run by compare_places in a virtual environment.
 
-Maps are handed over in the order of the drive; each is matched with all before it but the newest, as
-MapClosures does it. Its best closure of each map is kept however few its inliers are.
+Maps are handed over in the order of the drive and as its own pipeline does it: the points alone. Then
+it levels nothing, and its poses are planar. Its best closure of each map is kept however few its
+inliers are.
 """
 
 from __future__ import annotations
@@ -41,9 +42,7 @@ def main() -> None:
                 "source": closure.source_id,
                 "target": closure.target_id,
                 "inliers": closure.number_of_inliers,
-                # The plane of one image in that of the other, not lifted to the ground of the maps.
                 "pose": np.asarray(closure.pose).tolist(),
-                "ground": peer.get_ground_alignment_from_id(number).tolist(),
                 "wall_ms": 1e3 * wall,
                 "cpu_ms": 1e3 * cpu,
             }

@@ -17,7 +17,7 @@ constexpr double kSameLevel = 1.5;
 constexpr double kSameLane = 2.0;
 constexpr double kFewestMetres = 20.0;
 constexpr double kFewestMetresOfCrossing = 10.0;
-constexpr double kAroundPlace = 10.0;
+constexpr double kAroundPlace = 20.0;
 
 struct Approach {
   std::size_t target = 0;
@@ -44,8 +44,7 @@ PassKind kindOf(const Pose& T_world_source, const Pose& T_world_target) {
   const double cosine = ahead.x() / ahead.head<2>().norm();
   if (cosine < -std::sqrt(0.5)) return PassKind::opposite;
   if (cosine < std::sqrt(0.5)) return PassKind::crossing;
-  return std::abs(T_target_source.translation.y()) < kSameLane ? PassKind::same
-                                                               : PassKind::lateral;
+  return std::abs(T_target_source.translation.y()) < kSameLane ? PassKind::same : PassKind::lateral;
 }
 
 /// Where the truth puts the frame of a stretch, by the scans around one of them: their mean, as
@@ -97,8 +96,7 @@ PassKind LoopLabel::kind() const {
 }
 
 bool LoopLabel::isRevisit() const {
-  return sharedPath() >=
-         (kind() == PassKind::crossing ? kFewestMetresOfCrossing : kFewestMetres);
+  return sharedPath() >= (kind() == PassKind::crossing ? kFewestMetresOfCrossing : kFewestMetres);
 }
 
 LoopLabel labelOf(const Stretch& source, const Stretch& target) {

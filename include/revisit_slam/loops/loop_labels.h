@@ -24,7 +24,7 @@ struct Stretch {
 
 /// What the truth says about two stretches.
 struct LoopLabel {
-  /// Where the source lies in the target, from all scans within 10 m of those at which they are
+  /// Where the source lies in the target, from all scans within 20 m of those at which they are
   /// closest: neither the odometry's drift on the way there from the keyposes nor the noise of a
   /// keypose is an error of a loop closure.
   Pose T_target_source;

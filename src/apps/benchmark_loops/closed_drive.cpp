@@ -24,7 +24,8 @@ ClosedDrive closeLoops(const MappedDrive& drive, const SlamConfig& config) {
     retroactive.insert(retroactive.end(), proposals.begin(), proposals.end());
   };
   LoopSearch search(config.loops, config.information);
-  BackEnd back_end(config, [](const MapCorrectionPtr&) {}, keep);
+  BackEnd back_end(
+      config, [](const MapCorrectionPtr&) {}, keep);
   tbb::task_arena arena(config.background.threads);
   auto node = drive.nodes.begin();
   for (const LocalMapPtr& map : drive.maps) {

@@ -22,9 +22,9 @@ struct MapClosure {
 };
 
 struct ClosedDrive {
-  std::vector<MapClosure> maps;           // by LocalMapId
-  std::vector<LoopProposal> at_the_end;   // retroactive, of the last search
-  std::vector<LoopEdge> edges;            // as the back-end left them
+  std::vector<MapClosure> maps;          // by LocalMapId
+  std::vector<LoopProposal> at_the_end;  // retroactive, of the last search
+  std::vector<LoopEdge> edges;           // as the back-end left them
   Trajectory trajectory;
 };
 

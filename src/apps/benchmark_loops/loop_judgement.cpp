@@ -25,10 +25,10 @@ std::vector<LabelledPair> labelEarlier(const std::vector<Stretch>& stretches,
 }
 
 std::optional<LabelledPair> mostShared(const std::vector<LabelledPair>& pairs) {
-  const auto best = std::max_element(
-      pairs.begin(), pairs.end(), [](const LabelledPair& a, const LabelledPair& b) {
-        return a.label.sharedPath() < b.label.sharedPath();
-      });
+  const auto best = std::max_element(pairs.begin(), pairs.end(),
+                                     [](const LabelledPair& a, const LabelledPair& b) {
+                                       return a.label.sharedPath() < b.label.sharedPath();
+                                     });
   if (best == pairs.end() || !best->label.isRevisit()) return std::nullopt;
   return *best;
 }
@@ -49,7 +49,8 @@ JudgedMap judgeMap(const MapClosure& closure, const std::vector<Stretch>& stretc
   judged.earlier = labelEarlier(stretches, newest_excluded);
   judged.revisit = mostShared(judged.earlier);
   for (const PlaceMatch& candidate : closure.search.candidates)
-    if (judgeMatch(candidate, judged.earlier, limits).is_right) judged.has_right_candidate = true;
+    judged.candidates.push_back(judgeMatch(candidate, judged.earlier, limits));
+  judged.is_confirmed = !closure.search.accepted().empty();
   if (closure.search.match)
     judged.match = judgeMatch(*closure.search.match, judged.earlier, limits);
   return judged;

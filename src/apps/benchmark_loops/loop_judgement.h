@@ -39,7 +39,8 @@ struct JudgedMap {
   std::vector<LabelledPair> earlier;
   std::optional<LabelledPair> revisit;  ///< the pair that shares most, if it is one
   std::optional<JudgedMatch> match;
-  bool has_right_candidate = false;  ///< among all, however few their inliers
+  bool is_confirmed = false;            ///< registration accepted a constraint of the match
+  std::vector<JudgedMatch> candidates;  ///< however few their inliers
 };
 
 struct JudgedConstraint {

@@ -37,28 +37,41 @@ std::size_t countIf(const Items& items, Condition condition) {
   return static_cast<std::size_t>(std::count_if(items.begin(), items.end(), condition));
 }
 
-bool isRight(const JudgedMap& map) { return map.match && map.match->is_right; }
+bool isRight(const JudgedMap& map) {
+  return map.match && map.match->is_right;
+}
+
+bool hasRightCandidate(const JudgedMap& map) {
+  return std::any_of(map.candidates.begin(), map.candidates.end(),
+                     [](const JudgedMatch& candidate) { return candidate.is_right; });
+}
 
 std::string mapTable(const std::vector<JudgedMap>& maps) {
   std::string text = "| closures of local maps | |\n|---|---|\n";
   const auto line = [&](const std::string& name, std::size_t part, std::size_t whole) {
     text += "| " + name + " | " + shareText(part, whole) + " |\n";
   };
-  line("right of those made", countIf(maps, isRight),
-       countIf(maps, [](const JudgedMap& map) { return map.match.has_value(); }));
+  const auto is_recognised = [](const JudgedMap& map) { return map.match.has_value(); };
+  const auto is_confirmed = [](const JudgedMap& map) { return map.is_confirmed; };
+  const auto is_rightly_confirmed = [](const JudgedMap& map) {
+    return map.is_confirmed && isRight(map);
+  };
   const auto revisits = [&](auto condition) {
     return countIf(maps, [&](const JudgedMap& map) { return map.revisit && condition(map); });
   };
   const std::size_t all = revisits([](const JudgedMap&) { return true; });
-  line("revisits closed rightly", revisits(isRight), all);
-  line("revisits with a right candidate",
-       revisits([](const JudgedMap& map) { return map.has_right_candidate; }), all);
+  line("recognised: right", countIf(maps, isRight), countIf(maps, is_recognised));
+  line("confirmed by registration: right", countIf(maps, is_rightly_confirmed),
+       countIf(maps, is_confirmed));
+  line("revisits with a right candidate", revisits(hasRightCandidate), all);
+  line("revisits recognised rightly", revisits(isRight), all);
+  line("revisits confirmed rightly", revisits(is_rightly_confirmed), all);
   for (std::size_t i = 0; i < kPassKinds; ++i) {
     const auto kind = static_cast<PassKind>(i);
     const auto of_kind = [&](const JudgedMap& map) { return map.revisit->label.kind() == kind; };
     if (revisits(of_kind) == 0) continue;
     line(std::string("— ") + toString(kind),
-         revisits([&](const JudgedMap& map) { return of_kind(map) && isRight(map); }),
+         revisits([&](const JudgedMap& map) { return of_kind(map) && is_rightly_confirmed(map); }),
          revisits(of_kind));
   }
   return text;
@@ -136,12 +149,13 @@ std::string mistakeTable(const Constraints& constraints) {
                    p.loop.target_map.value, toString(p.loop.origin), toString(p.outcome),
                    c.state.c_str(), c.at_keypose.translation, c.at_keypose.rotation,
                    c.at_place.translation, c.at_place.rotation);
-    text += format(" %.2f | %.2f | %.1f m %.1f deg | %.0f m | %.0f m %s |\n",
-                   p.registration.fitness, p.registration.coherence, p.moved_translation,
-                   p.moved_rotation, c.label.distance, c.label.sharedPath(),
-                   toString(c.label.kind()));
+    text +=
+        format(" %.2f | %.2f | %.1f m %.1f deg | %.0f m | %.0f m %s |\n", p.registration.fitness,
+               p.registration.coherence, p.moved_translation, p.moved_rotation, c.label.distance,
+               c.label.sharedPath(), toString(c.label.kind()));
   }
-  return "| source (map) | target (map) | origin | outcome | error at the keypose | where closest | "
+  return "| source (map) | target (map) | origin | outcome | error at the keypose | where closest "
+         "| "
          "fitness | coherence | moved | distance | shared |\n"
          "|---|---|---|---|---|---|---|---|---|---|---|\n" +
          text;
@@ -152,8 +166,8 @@ std::string timeTable(const std::vector<MapClosure>& maps) {
   const auto line = [&](const char* name, double MapClosure::*member) {
     std::vector<double> values;
     for (const MapClosure& map : maps) values.push_back(map.*member);
-    text += format("| %s | %.0f ms | %.0f ms |\n", name, quantile(values, 0.5),
-                   quantile(values, 1.0));
+    text +=
+        format("| %s | %.0f ms | %.0f ms |\n", name, quantile(values, 0.5), quantile(values, 1.0));
   };
   line("recognition", &MapClosure::recognition_ms);
   line("registration", &MapClosure::registration_ms);
@@ -187,12 +201,18 @@ json pairJson(const LabelledPair& pair) {
           {"is_revisit", label.isRevisit()}};
 }
 
+json matchJson(const JudgedMatch& judged) {
+  return {{"target", judged.match.target.value}, {"inliers", judged.match.inliers},
+          {"matches", judged.match.matches},     {"rms", judged.match.rms},
+          {"error", errorJson(judged.error)},    {"is_right", judged.is_right}};
+}
+
 json mapJson(const JudgedMap& map, const MapClosure& closure) {
   json text = {{"id", map.id.value},
                {"length", map.length},
                {"points", closure.search.map->points.size()},
                {"features", closure.search.view ? closure.search.view->features.size() : 0},
-               {"has_right_candidate", map.has_right_candidate},
+               {"is_confirmed", map.is_confirmed},
                {"earlier", json::array()},
                {"candidates", json::array()},
                {"cpu_ms", closure.cpu_ms},
@@ -201,15 +221,10 @@ json mapJson(const JudgedMap& map, const MapClosure& closure) {
                {"retroactive_ms", closure.retroactive_ms},
                {"optimisation_ms", closure.optimisation_ms}};
   for (const LabelledPair& pair : map.earlier) text["earlier"].push_back(pairJson(pair));
-  for (const PlaceMatch& c : closure.search.candidates)
-    text["candidates"].push_back(
-        {{"target", c.target.value}, {"inliers", c.inliers}, {"matches", c.matches}});
+  for (const JudgedMatch& candidate : map.candidates)
+    text["candidates"].push_back(matchJson(candidate));
   if (map.revisit) text["revisit"] = map.revisit->target.value;
-  if (map.match)
-    text["match"] = {{"target", map.match->match.target.value},
-                     {"inliers", map.match->match.inliers},
-                     {"error", errorJson(map.match->error)},
-                     {"is_right", map.match->is_right}};
+  if (map.match) text["match"] = matchJson(*map.match);
   return text;
 }
 
