@@ -40,6 +40,7 @@ revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
 revisit_slam_program(convert_dataset)
 revisit_slam_program(evaluate)
+revisit_slam_program(benchmark_loops)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
@@ -47,4 +48,5 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/compare_odometry scripts/evaluate_pictures DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
+        DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
