@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""MapClosures on local maps written by benchmark_loops. Run by compare_places in a virtual environment.
+"""MapClosures on local maps of benchmark_loops. Run by compare_places in a virtual environment.
 
-Maps are handed over in the order of the drive and as its own pipeline does it: the points alone. Then
-it levels nothing, and its poses are planar. Its best closure of each map is kept however few its
-inliers are.
+Maps are handed over in the order of the drive and as its own pipeline does it: the points alone.
+Then it levels nothing, and its poses are planar. Its best closure of each map is kept however few
+its inliers are.
 """
 
 from __future__ import annotations
