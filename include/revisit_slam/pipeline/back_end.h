@@ -19,7 +19,7 @@ namespace revisit_slam {
 struct BackEndCount {
   int optimisations = 0;
   int rejected_optimisations = 0;
-  int retroactive_pairs = 0;  ///< local-map pairs that were tried
+  int retroactive_pairs = 0;  ///< pairs of submaps that were registered
   double optimisation_seconds = 0.0;
   double retroactive_seconds = 0.0;
 };
@@ -66,6 +66,8 @@ class BackEnd {
   ScanId lastScanOfMaps() const { return maps_.back()->submaps.back()->lastScan(); }
   void optimise(const std::vector<LoopConstraint>& new_loops);
   void searchRetroactively();
+  std::vector<LoopProposal> closeRetroactively(const LocalMapPair& maps,
+                                               const std::vector<Pose>& T_map_scan);
 
   GrowingGraph graph_;
   LoopCloser closer_;
