@@ -7,10 +7,24 @@
 namespace revisit_slam {
 namespace {
 
-Matrix6 clampEigenvalues(const Matrix6& hessian, double smallest) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(hessian);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(smallest).asDiagonal() *
+template <typename Matrix>
+Matrix clampEigenvalues(const Matrix& hessian, double smallest, double smallest_share) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(hessian);
+  const double floor = std::max(smallest, smallest_share * solver.eigenvalues().maxCoeff());
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(floor).asDiagonal() *
          solver.eigenvectors().transpose();
+}
+
+/// H+ (paper Sec. III-B): blocks of translation and rotation apart, as their units differ; of the
+/// full matrix no share.
+Matrix6 positive(const Matrix6& hessian, const InformationConfig& config) {
+  if (config.full) return clampEigenvalues(hessian, config.min_eigenvalue, 0.0);
+  Matrix6 clamped = Matrix6::Zero();
+  for (const int first : {0, 3})
+    clamped.block<3, 3>(first, first) =
+        clampEigenvalues(Eigen::Matrix3d(hessian.block<3, 3>(first, first)), config.min_eigenvalue,
+                         config.min_eigenvalue_share);
+  return clamped;
 }
 
 /// Of translation (first_axis 0) or rotation (3); one unit in each, so that eigenvalues compare.
@@ -58,7 +72,7 @@ InformationEstimate InformationEstimator::estimate(const RegistrationProblem& pr
     estimate.mean_squared_residual =
         chi_at_pose / (problem.scale * static_cast<double>(problem.points_base.size()));
   }
-  estimate.information = clampEigenvalues(hessian, config_.min_eigenvalue);
+  estimate.information = positive(hessian, config_);
   for (const int first_axis : {0, 3})
     findWeakDirections(hessian, first_axis, config_, estimate.weak_directions);
   return estimate;

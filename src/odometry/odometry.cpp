@@ -2,6 +2,7 @@
 #include "revisit_slam/odometry/odometry.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace revisit_slam {
 namespace {
@@ -59,10 +60,7 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   registered.points_base = std::move(preprocessed.points_base);
   clock.stage("preprocess");
 
-  const double voxel_size = config_.map.voxel_size;
-  voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_);
-  voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
-                             registered.source_base);
+  downsample(registered);
   clock.stage("downsample");
 
   const double seconds = secondsSincePrevious(scan.stamp);
@@ -74,6 +72,7 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   registered.registration =
       registration_.align(registered.source_base, map_, T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
+  if (scans_ == 1 && !long_gap) startAgain(scan, seconds, registered);
   registered.prediction_error = log(T_odom_predicted.inverse() * registered.T_odom_base);
   clock.stage("register");
 
@@ -86,10 +85,38 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   updateMotion(registered.T_odom_base, seconds);
   registered.velocity_base = motion_.velocity();
   previous_stamp_ = scan.stamp;
+  if (scans_ == 0 && registered.deskewed) first_scan_ = scan;
   ++scans_;
   clock.stage("update_map");
   result.times = clock.times();
   return result;
+}
+
+void Odometry::downsample(RegisteredScan& registered) {
+  const double voxel_size = config_.map.voxel_size;
+  voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_);
+  voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
+                             registered.source_base);
+}
+
+/// Nothing was known of the motion when the first two scans were deskewed. From both as they are it
+/// comes out well enough to deskew them, and to register the second to the first, once more.
+void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& registered) {
+  const std::optional<Scan> first = std::exchange(first_scan_, std::nullopt);
+  const bool matched =
+      registered.registration.outcome != RegistrationOutcome::too_few_correspondences;
+  if (!first || !registered.deskewed || !matched) return;
+  const ConstantMotion motion(log(registered.T_odom_base) / seconds);
+  RegisteredScan first_again;
+  first_again.points_base = preprocess(*first, motion, config_).points_base;
+  registered.points_base = preprocess(scan, motion, config_).points_base;
+  downsample(first_again);
+  map_ = LocalVoxelMap(config_.map);
+  map_.insert(map_points_base_, Pose::identity());
+  downsample(registered);
+  registered.registration = registration_.align(registered.source_base, map_,
+                                                registered.T_odom_base, registered.sigma);
+  registered.T_odom_base = registered.registration.T_odom_base;
 }
 
 double Odometry::secondsSincePrevious(Stamp stamp) const {

@@ -137,6 +137,21 @@ TEST(InformationEstimator, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(results[0], results[2]);
 }
 
+/// A single edge that holds nothing is where the graph would tear.
+TEST(InformationEstimator, NoDirectionIsLetGoAltogether) {
+  Scene scene = makePlane();
+  for (const double share : {0.03, 0.2}) {
+    InformationConfig config = allPoints();
+    config.min_eigenvalue_share = share;
+    const Matrix6 information = estimate(scene, {}, {}, config).information;
+    for (const int first : {0, 3}) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+          information.block<3, 3>(first, first));
+      EXPECT_GE(solver.eigenvalues()[0], 0.9999 * share * solver.eigenvalues()[2]);
+    }
+  }
+}
+
 TEST(InformationEstimator, EigenvaluesAreClampedAndNothingIsNotAnError) {
   Points far_away(50, Eigen::Vector3f(90, 0, 0));
   const InformationEstimator estimator(allPoints());

@@ -14,6 +14,7 @@ struct InformationConfig {
   bool full = false;
   int max_points = 250;
   double min_eigenvalue = 1e-3;
+  double min_eigenvalue_share = 0.03;
   double weak_ratio = 0.1;
   double calibration = 0.4;
   double deskew_share = 0.46;
@@ -31,6 +32,8 @@ struct InformationConfig {
     v("max_points", max_points, Range{100, 1000000}, "",
       "of more registered points an evenly spread subset is sampled");
     v("min_eigenvalue", min_eigenvalue, Range{1e-12, 1e3}, "", "smaller eigenvalues are raised to it");
+    v("min_eigenvalue_share", min_eigenvalue_share, Range{0.0, 1.0}, "",
+      "so are those below this share of the largest of their block: what the samples can tell apart");
     v("weak_ratio", weak_ratio, Range{0.0, 1.0}, "",
       "a direction is weak below this share of the largest eigenvalue of its block");
     v("calibration", calibration, Range{1e-3, 1e6}, "",

@@ -54,6 +54,8 @@ class Odometry {
 
  private:
   OdometryResult registerInArena(const Scan& scan);
+  void downsample(RegisteredScan& registered);
+  void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
   double secondsSincePrevious(Stamp stamp) const;
   void updateMotion(const Pose& T_odom_base, double seconds);
 
@@ -67,6 +69,7 @@ class Odometry {
   Points map_points_base_;  // kept for its memory
 
   std::uint32_t scans_ = 0;
+  std::optional<Scan> first_scan_;  // until the second is registered
   Stamp previous_stamp_;
   Pose T_odom_previous_;
   ConstantMotion motion_;
