@@ -1,0 +1,185 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The results as one Markdown page."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+from benchmark_systems import SYSTEMS
+
+Result = Dict[str, Any]
+OURS = SYSTEMS[0].name
+PEERS = [system.name for system in SYSTEMS if system.settings is None]
+
+
+class Column(NamedTuple):
+    """key: in a result. lower_is_better: None for what is no merit in itself."""
+
+    title: str
+    key: str
+    digits: int
+    lower_is_better: Optional[bool] = True
+
+
+COLUMNS = (
+    Column("ATE [m]", "ate_m", 3),
+    Column("RPE [%]", "rpe_percent", 2),
+    Column("consistency [m]", "consistency_m", 3),
+    Column("scan, median [ms]", "median_ms", 1),
+    Column("p99 [ms]", "p99_ms", 1),
+    Column("max [ms]", "max_ms", 1),
+    Column("CPU of a scan [ms]", "cpu_ms_per_scan", 1),
+    Column("peak memory [MB]", "peak_memory_mb", 0),
+    Column("loops", "loops", 0, None),
+)
+
+METHOD = """\
+Everything runs one after the other on the same cores, each run in a process of its own, with each
+system's defaults. All poses are those of `base_link` at the instant of the scan's last point, to
+which all these systems deskew.
+
+- Peers are driven as their own pipelines drive them, from one reader that gives points and point
+  times. Their time and CPU leave out reading the bag and loading Python packages; ours leaves out
+  reading the bag's bytes only.
+- A scan's time is that of the call that takes it. The peers close loops within that call;
+  revisit_slam does it in the background, so that its loops show in the CPU time and not in p99
+  and maximum. CPU: of all threads over the whole run with its end, divided by the scans.
+- Peak memory is that of the whole process; before the first scan the peers' Python takes the part
+  in parentheses.
+- ATE: RMSE of the positions after rigid alignment. RPE: relative translation error over 100 to
+  800 m. Consistency: RMS distance of neighbouring points between the passes of places visited
+  more than once, mean over places (± standard deviation); see `docs/evaluation.md`. Loops of
+  Retro-SLAM and revisit_slam are pairs of submaps, those of KISS-SLAM pairs of local maps: their
+  numbers are not comparable.
+"""
+
+
+def number(value: Any, digits: int) -> str:
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def cell(result: Result, column: Column) -> str:
+    text = number(result.get(column.key), column.digits)
+    if column.key == "peak_memory_mb" and "memory_before_first_scan_mb" in result:
+        text += f" ({result['memory_before_first_scan_mb']:.0f})"
+    if column.key == "consistency_m" and "consistency_sd_m" in result:
+        text += f" ± {result['consistency_sd_m']:.3f}"
+    return text
+
+
+def table(results: Dict[str, Result]) -> List[str]:
+    shown = [c for c in COLUMNS if any(r.get(c.key) is not None for r in results.values())]
+    lines = ["| | " + " | ".join(column.title for column in shown) + " |"]
+    lines.append("|---|" + "---:|" * len(shown))
+    for system in SYSTEMS:
+        result = results.get(system.name)
+        if result is None:
+            continue
+        cells = [cell(result, column) for column in shown]
+        if result["status"] != "ok":
+            cells[0] = f"{result['status']} after {result['wall_seconds']:.0f} s"
+        lines.append(f"| {system.title} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def better(results: Dict[str, Result], column: Column) -> List[Tuple[str, float]]:
+    """Peers that do better than we do, the best first; the printed digits decide."""
+    ours = results.get(OURS, {}).get(column.key)
+    values = {name: results[name].get(column.key) for name in PEERS if name in results}
+    if ours is None or not column.lower_is_better:
+        return []
+    rounded = {n: round(v, column.digits) for n, v in values.items() if v is not None}
+    lower = [(n, v) for n, v in rounded.items() if v < round(ours, column.digits)]
+    return sorted(lower, key=lambda item: item[1])
+
+
+def losses(sequences: Dict[str, Any]) -> List[str]:
+    lines = []
+    for name, sequence in sequences.items():
+        results = sequence["results"]
+        for column in COLUMNS:
+            for peer, value in better(results, column):
+                ours = number(results[OURS][column.key], column.digits)
+                lines.append(
+                    f"- {name}, {column.title}: {peer} {number(value, column.digits)}, ours {ours}"
+                )
+    return lines
+
+
+def missing(sequences: Dict[str, Any]) -> List[str]:
+    lines = []
+    for name, sequence in sequences.items():
+        results = sequence["results"]
+        absent = [s.name for s in SYSTEMS if s.name not in results]
+        if absent:
+            lines.append(f"- {name}: not run: {', '.join(absent)}")
+        for system, result in results.items():
+            if result["status"] != "ok":
+                log = result.get("log") or ["no output"]
+                lines.append(f"- {name}: {system}: {result['status']}: `{log[-1][:200]}`")
+    return lines
+
+
+def drive(facts: Dict[str, Any]) -> str:
+    if not facts:
+        return ""
+    revisits = ", ".join(f"{kind} {seconds:.0f} s" for kind, seconds in facts["revisits"].items())
+    return (
+        f"{facts['length']:.0f} m, {facts['seconds']:.0f} s, {facts['scans']} scans of "
+        f"{facts['points'] / facts['scans']:.0f} points; revisits: {revisits or 'none'}."
+    )
+
+
+def disturbance(results: Dict[str, Result]) -> str:
+    shares = [100 * result["others"] for result in results.values()]
+    caution = " Compare CPU times rather than wall times." if max(shares) > 10 else ""
+    return (
+        f"Other programs took {min(shares):.0f} to {max(shares):.0f} % of the processors in these "
+        f"runs.{caution}"
+    )
+
+
+def section(name: str, sequence: Dict[str, Any]) -> List[str]:
+    origin = sequence["origin"]
+    described = f"`{origin}`" if origin.startswith("simulate ") else origin
+    lines = [f"## {name}", "", f"{described}. {drive(sequence['facts'])}".strip(), ""]
+    return [*lines, *table(sequence["results"]), "", disturbance(sequence["results"]), ""]
+
+
+def flat(parameters: Dict[str, Any], prefix: str = "") -> List[str]:
+    words = []
+    for key, value in parameters.items():
+        if isinstance(value, dict):
+            words += flat(value, f"{prefix}{key}/")
+        else:
+            words.append(f"{prefix}{key}={value}")
+    return words
+
+
+def parameters(sequences: Dict[str, Any]) -> List[str]:
+    """Versions and parameters of each system, from the first sequence that it ran on."""
+    lines = ["## Versions and parameters", ""]
+    for system in SYSTEMS:
+        runs = [s["results"].get(system.name, {}) for s in sequences.values()]
+        run = next((r for r in runs if "parameters" in r), None)
+        if run is None:
+            continue
+        versions = ", ".join(f"{package} {version}" for package, version in run["versions"].items())
+        lines.append(f"- {system.name}: {versions}; ")
+        if system.settings:
+            lines[-1] += "as revisit_slam but " + ", ".join(f"`{s}`" for s in system.settings)
+        else:
+            lines[-1] += "`" + " ".join(flat(run["parameters"])) + "`"
+    return lines
+
+
+def markdown(report: Dict[str, Any]) -> str:
+    sequences = report["sequences"]
+    lines = ["# Benchmark", "", "```", report["command"], "```", "", f"{report['machine']}.", ""]
+    lines += [METHOD]
+    for name, sequence in sequences.items():
+        lines += section(name, sequence)
+    lines += ["## Where a peer is better", "", *(losses(sequences) or ["Nowhere in these runs."])]
+    lines += ["", "## Missing", "", *(missing(sequences) or ["Nothing."]), ""]
+    return "\n".join(lines + parameters(sequences)) + "\n"
