@@ -1,31 +1,70 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Accuracy and consistency of the runs on one sequence."""
+"""Accuracy and consistency of the runs on one sequence, by the program `evaluate`."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
-from typing import Any, Dict
+from typing import Any, Dict, List
 
+from benchmark_process import run_or_stop
 from benchmark_sequences import Sequence
+from benchmark_systems import digest
 from trajectories import judge, read_tum
 
 Judgement = Dict[str, Any]
 
 
-def evaluated(
+def evaluation_file(
     sequence: Sequence, estimates: Dict[str, Path], folder: Path, evaluator: Path
-) -> Dict[str, Judgement]:
-    """By name of the estimate; empty where there is no ground truth."""
+) -> Path:
+    """Made unless it is there already for the same trajectories and program."""
+    path, note = folder / "evaluation.json", folder / "key"
+    key = json.dumps([sequence.identity(), sorted(estimates), digest(evaluator)])
+    key += digest(*(estimates[name] for name in sorted(estimates)))
+    if not (path.is_file() and note.is_file() and note.read_text() == key):
+        print(f"{sequence.name}: evaluating", flush=True)
+        words: List[Any] = [evaluator, "--quiet", "--bag", sequence.bag, "--out", folder]
+        words += ["--topic", sequence.topic] if sequence.topic else []
+        words += ["--reference", sequence.reference] if sequence.reference else []
+        for name, estimate in estimates.items():
+            words += ["--estimate", f"{name}={estimate}"]
+        note.unlink(missing_ok=True)
+        run_or_stop(words, folder.parent / "evaluation.log")
+        note.write_text(key)
+    return path
+
+
+def judgement(estimate: Dict[str, Any]) -> Judgement:
+    result: Judgement = {}
+    if "ate" in estimate:
+        result["ate_m"] = estimate["ate"]["rmse_m"]
+        result["rpe_percent"] = estimate["rpe"]["translation_percent"]
+    if "consistency" in estimate:
+        consistency = estimate["consistency"]
+        result["consistency_m"] = consistency["mean_rms_m"]
+        result["consistency_sd_m"] = consistency["standard_deviation_m"]
+        result["consistency_paired_share"] = consistency["paired_share"]
+        result["consistency_cells"] = len(consistency["cells"])
+    return result
+
+
+def accuracy_alone(sequence: Sequence, estimates: Dict[str, Path]) -> Dict[str, Judgement]:
+    """Where there is no `evaluate`."""
     if sequence.reference is None:
         return {}
     reference = read_tum(sequence.reference)
-    judgements = {}
-    for name, path in estimates.items():
-        errors = judge(read_tum(path), reference)
-        judgements[name] = {
-            "ate_m": errors.ate,
-            "end_point_error_m": errors.end_point,
-            "poses_beyond_reference": errors.left_out,
-        }
-    return judgements
+    return {
+        name: {"ate_m": judge(read_tum(path), reference).ate} for name, path in estimates.items()
+    }
+
+
+def evaluated(
+    sequence: Sequence, estimates: Dict[str, Path], folder: Path, evaluator: Path
+) -> Dict[str, Judgement]:
+    """By name of the estimate."""
+    if not estimates or not evaluator.is_file():
+        return accuracy_alone(sequence, estimates)
+    path = evaluation_file(sequence, estimates, folder / "evaluation", evaluator)
+    return {e["name"]: judgement(e) for e in json.loads(path.read_text())["estimates"]}

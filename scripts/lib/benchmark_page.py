@@ -11,6 +11,7 @@ from benchmark_systems import SYSTEMS
 Result = Dict[str, Any]
 OURS = SYSTEMS[0].name
 PEERS = [system.name for system in SYSTEMS if system.settings is None]
+ABLATIONS = [system.name for system in SYSTEMS if system.settings]
 
 
 class Column(NamedTuple):
@@ -83,10 +84,10 @@ def table(results: Dict[str, Result]) -> List[str]:
     return lines
 
 
-def better(results: Dict[str, Result], column: Column) -> List[Tuple[str, float]]:
-    """Peers that do better than we do, the best first; the printed digits decide."""
+def better(results: Dict[str, Result], names: List[str], column: Column) -> List[Tuple[str, float]]:
+    """Those that do better than revisit_slam, the best first; the printed digits decide."""
     ours = results.get(OURS, {}).get(column.key)
-    values = {name: results[name].get(column.key) for name in PEERS if name in results}
+    values = {name: results[name].get(column.key) for name in names if name in results}
     if ours is None or not column.lower_is_better:
         return []
     rounded = {n: round(v, column.digits) for n, v in values.items() if v is not None}
@@ -94,17 +95,21 @@ def better(results: Dict[str, Result], column: Column) -> List[Tuple[str, float]
     return sorted(lower, key=lambda item: item[1])
 
 
-def losses(sequences: Dict[str, Any]) -> List[str]:
+def losses(
+    sequences: Dict[str, Any], names: List[str], columns: Tuple[Column, ...]
+) -> List[str]:
     lines = []
-    for name, sequence in sequences.items():
-        results = sequence["results"]
-        for column in COLUMNS:
-            for peer, value in better(results, column):
+    for sequence, described in sequences.items():
+        results = described["results"]
+        for column in columns:
+            ahead = [
+                f"{name} {number(value, column.digits)}"
+                for name, value in better(results, names, column)
+            ]
+            if ahead:
                 ours = number(results[OURS][column.key], column.digits)
-                lines.append(
-                    f"- {name}, {column.title}: {peer} {number(value, column.digits)}, ours {ours}"
-                )
-    return lines
+                lines.append(f"- {sequence}, {column.title}: {', '.join(ahead)}; ours {ours}")
+    return lines or ["Nowhere in these runs."]
 
 
 def missing(sequences: Dict[str, Any]) -> List[str]:
@@ -180,6 +185,8 @@ def markdown(report: Dict[str, Any]) -> str:
     lines += [METHOD]
     for name, sequence in sequences.items():
         lines += section(name, sequence)
-    lines += ["## Where a peer is better", "", *(losses(sequences) or ["Nowhere in these runs."])]
+    lines += ["## Where a peer is better", "", *losses(sequences, PEERS, COLUMNS), ""]
+    lines += ["## Where a part does not pay", ""]
+    lines += losses(sequences, ABLATIONS, COLUMNS[:3])
     lines += ["", "## Missing", "", *(missing(sequences) or ["Nothing."]), ""]
     return "\n".join(lines + parameters(sequences)) + "\n"
