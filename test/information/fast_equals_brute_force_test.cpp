@@ -2,33 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "revisit_slam/information/information_estimator.h"
+#include "support/brute_force_objective.h"
 #include "support/information_scenes.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr double kTau = 0.8;
-
-/// The same problem with every map point within reach of any sample as a candidate.
-RegistrationProblem withAllCandidates(const RegistrationProblem& problem, const LocalVoxelMap& map,
-                                      const Pose& T_odom_base) {
-  const Eigen::Matrix3f R_base_odom = T_odom_base.rotationMatrix().transpose().cast<float>();
-  RegistrationProblem all = problem;
-  for (std::size_t chunk = 0; chunk < all.chunks.size(); ++chunk)
-    for (Candidates& candidates : all.chunks[chunk]) {
-      const std::size_t points = candidates.begin.size() - 1;
-      candidates = Candidates();
-      for (std::size_t i = 0; i < points; ++i) {
-        const Eigen::Vector3f& p =
-            all.points_base[chunk * RegistrationProblem::kChunkLength + i];
-        map.forEachAround(T_odom_base * p.cast<double>(), 6.0, [&](const Eigen::Vector3f& relative) {
-          candidates.relative_base.push_back(R_base_odom * relative);
-        });
-        candidates.begin.push_back(static_cast<std::uint32_t>(candidates.relative_base.size()));
-      }
-    }
-  return all;
-}
 
 class FastEqualsBruteForce : public ::testing::TestWithParam<bool> {};
 
