@@ -11,7 +11,7 @@ catkin_package(
   CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet rosbag roscpp
                  sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
 
-file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
+file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp src/datasets/*.cpp)
 add_library(revisit_slam_ros STATIC ${ros_sources})
 revisit_slam_target_options(revisit_slam_ros)
 target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
@@ -24,7 +24,8 @@ revisit_slam_target_options(revisit_slam_nodelets)
 target_link_libraries(revisit_slam_nodelets PRIVATE revisit_slam_ros)
 
 function(revisit_slam_program name)
-  add_executable(${name} src/apps/${name}.cpp)
+  file(GLOB parts CONFIGURE_DEPENDS src/apps/${name}/*.cpp)
+  add_executable(${name} src/apps/${name}.cpp ${parts})
   revisit_slam_target_options(${name})
   target_link_libraries(${name} PRIVATE revisit_slam_ros CLI11::CLI11 nlohmann_json::nlohmann_json ${ARGN})
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
@@ -33,6 +34,8 @@ revisit_slam_program(offline)
 revisit_slam_program(simulate revisit_slam_simulation)
 revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
+revisit_slam_program(convert_dataset)
+revisit_slam_program(evaluate)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
@@ -40,5 +43,5 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/compare_odometry scripts/benchmark
+install(PROGRAMS scripts/report scripts/compare_odometry scripts/evaluate_pictures scripts/benchmark
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -22,7 +22,7 @@ void writePcd(const std::string& path, const Points& points) {
   });
 }
 
-Points readPcd(const std::string& path) {
+Points readPcdPoints(const std::string& path) {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   bool read = false;
   try {

@@ -128,6 +128,10 @@ void RunFolder::finish(const RunSummary& summary) const {
       {"optimisations", summary.optimisations},
       {"rejected_optimisations", summary.rejected_optimisations},
       {"retroactive_pairs", summary.retroactive_pairs},
+      {"revisit_consistency",
+       {{"cells", summary.revisited_cells},
+        {"rms_mean_m", summary.consistency_mean},
+        {"rms_standard_deviation_m", summary.consistency_deviation}}},
       {"threads", summary.threads},
   };
   writeWholeText(file("run.json"), run.dump(2) + "\n");

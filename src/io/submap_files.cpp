@@ -71,6 +71,10 @@ void SubmapFiles::add(const SubmapPtr& submap, const Points& detail_submap) {
   if (!detail_submap.empty()) writePcd(file(id), detail_submap);
 }
 
+Points SubmapFiles::read(std::size_t submap) const {
+  return boxes_submap_.at(submap).isEmpty() ? Points() : readPcdPoints(file(submap));
+}
+
 void SubmapFiles::writeTable(const std::vector<Pose>& T_map_submap) const {
   std::ostringstream table;
   table << "submap,local_map,first_scan,last_scan,stamp,x,y,z,qx,qy,qz,qw\n";
@@ -100,7 +104,7 @@ void SubmapFiles::merge(const std::string& path, const std::vector<Pose>& T_map_
     for (const auto& [tile, submaps] : submaps_of_tile) {
       PointMap merged(voxel_size);
       for (const std::size_t i : submaps)
-        merged.insert(within(tile, readPcd(file(i)), T_map_submap[i]), Pose::identity());
+        merged.insert(within(tile, read(i), T_map_submap[i]), Pose::identity());
       stream.write(merged.points());
     }
     stream.finish();

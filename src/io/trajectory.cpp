@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/trajectory.h"
 
+#include <Eigen/SVD>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -49,6 +50,23 @@ std::optional<StampedPose> parseTumLine(const std::string& line) {
   return pose;
 }
 
+/// A line of a KITTI file, if it is one.
+std::optional<Pose> parseKittiLine(const std::string& line) {
+  std::istringstream fields(line);
+  Eigen::Matrix<double, 3, 4> T;
+  for (int i = 0; i < 12; ++i)
+    if (!(fields >> T(i / 4, i % 4))) return std::nullopt;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(T.leftCols<3>(),
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d R = svd.matrixU() * svd.matrixV().transpose();
+  if (!T.allFinite() || svd.singularValues()(2) < 0.5 || R.determinant() < 0.0) return std::nullopt;
+  return Pose{Eigen::Quaterniond(R).normalized(), T.col(3)};
+}
+
+bool isEmptyOrComment(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#';
+}
+
 }  // namespace
 
 std::string stampText(Stamp stamp) {
@@ -75,7 +93,7 @@ Trajectory readTum(const std::string& path) {
   Trajectory trajectory;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+    if (isEmptyOrComment(line)) continue;
     const std::optional<StampedPose> pose = parseTumLine(line);
     if (!pose)
       fail("line " + std::to_string(number) + " is not a stamp, a position and a quaternion in", path);
@@ -102,6 +120,20 @@ void writeKitti(const std::string& path, const Trajectory& trajectory) {
     text << line;
   }
   writeWholeText(path, text.str());
+}
+
+std::vector<Pose> readKitti(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) fail("cannot read the trajectory", path);
+  std::vector<Pose> poses;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (isEmptyOrComment(line)) continue;
+    const std::optional<Pose> pose = parseKittiLine(line);
+    if (!pose) fail("line " + std::to_string(number) + " is not a rigid 3x4 matrix in", path);
+    poses.push_back(*pose);
+  }
+  return poses;
 }
 
 TumWriter::TumWriter(const std::string& path) : path_(path), file_(path) {

@@ -55,6 +55,7 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   registered.id = {scans_};
   registered.stamp = scan.stamp;
   registered.deskewed = preprocessed.deskewed;
+  registered.sensor_base = scan.T_base_sensor.translation;
   registered.points_base = std::move(preprocessed.points_base);
   clock.stage("preprocess");
 

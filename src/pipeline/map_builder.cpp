@@ -5,8 +5,12 @@
 
 namespace revisit_slam {
 
-MapBuilder::MapBuilder(const MappingConfig& config)
-    : config_(config), hierarchy_(config), detail_(config.detail_voxel_size) {}
+MapBuilder::MapBuilder(const MappingConfig& mapping, const OccupancyConfig& occupancy)
+    : detail_voxel_size_(mapping.detail_voxel_size),
+      with_occupancy_(occupancy.enabled),
+      hierarchy_(mapping),
+      detail_(mapping.detail_voxel_size),
+      occupancy_(occupancy) {}
 
 MapUpdate MapBuilder::insert(const RegisteredScan& scan) {
   MapUpdate update;
@@ -15,7 +19,9 @@ MapUpdate MapBuilder::insert(const RegisteredScan& scan) {
   });
   if (!open_) T_odom_submap_ = scan.T_odom_base;
   open_ = true;
-  detail_.insert(scan.points_base, T_odom_submap_.inverse() * scan.T_odom_base);
+  const Pose T_submap_base = T_odom_submap_.inverse() * scan.T_odom_base;
+  detail_.insert(scan.points_base, T_submap_base);
+  if (with_occupancy_) occupancy_.insert(scan.points_base, T_submap_base, scan.sensor_base);
   return update;
 }
 
@@ -24,11 +30,13 @@ MapUpdate MapBuilder::closeAll() {
 }
 
 MapUpdate MapBuilder::take(ClosedMaps closed) {
-  MapUpdate update{std::move(closed.submap), {}, std::move(closed.local_map)};
-  if (update.submap) {
-    update.detail_submap = std::exchange(detail_, PointMap(config_.detail_voxel_size)).points();
-    open_ = false;
-  }
+  MapUpdate update;
+  update.submap = std::move(closed.submap);
+  update.local_map = std::move(closed.local_map);
+  if (!update.submap) return update;
+  update.detail_submap = std::exchange(detail_, PointMap(detail_voxel_size_)).points();
+  if (with_occupancy_) update.occupancy = occupancy_.close();
+  open_ = false;
   return update;
 }
 

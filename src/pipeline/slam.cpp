@@ -14,7 +14,7 @@ constexpr std::size_t kMostWaiting = 200;
 Slam::Slam(const SlamConfig& config, SlamObserver& observer)
     : observer_(observer),
       background_(config.background),
-      builder_(config.mapping),
+      builder_(config.mapping, config.occupancy),
       loops_(config.loops, config.information),
       back_end_(
           config, [this](const MapCorrectionPtr& correction) { observer_.onCorrection(correction); },

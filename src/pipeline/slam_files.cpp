@@ -1,31 +1,71 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/pipeline/slam_files.h"
 
+#include "revisit_slam/evaluation/consistency_builder.h"
+#include "revisit_slam/evaluation/revisit_cells.h"
 #include "revisit_slam/io/graph_files.h"
+#include "revisit_slam/io/grid_file.h"
+#include "revisit_slam/io/octomap_file.h"
 #include "revisit_slam/io/trajectory.h"
 
 namespace revisit_slam {
+namespace {
 
-SlamFiles::SlamFiles(const std::string& folder, const MappingConfig& config)
+/// Larger than submaps are long, so that every passage through a cell has a keypose in it.
+constexpr double kConsistencyCell = 40.0;  // m
+
+}  // namespace
+
+SlamFiles::SlamFiles(const std::string& folder, const MappingConfig& mapping,
+                     const OccupancyConfig& occupancy)
     : folder_(folder),
-      detail_voxel_size_(config.detail_voxel_size),
-      submaps_(folder + "/submaps") {}
+      detail_voxel_size_(mapping.detail_voxel_size),
+      submaps_(folder + "/submaps"),
+      grid_(occupancy.grid),
+      occupancy_(occupancy) {}
 
 void SlamFiles::add(const MapUpdate& update) {
   if (update.submap) submaps_.add(update.submap, update.detail_submap);
+  if (update.occupancy) occupancy_of_[update.submap->id] = update.occupancy;
 }
 
-void SlamFiles::write(const BackEnd& back_end) const {
+void SlamFiles::write(const BackEnd& back_end) {
   const Trajectory trajectory = back_end.trajectory();
   writeTum(file("trajectory.tum"), trajectory);
   writeKitti(file("trajectory_kitti.txt"), trajectory);
   writeGraph(file("pose_graph.g2o"), back_end.graph());
   writeLoops(file("loop_closures.csv"), back_end.graph());
+  const std::vector<Pose> T_map_submap = submapPoses(back_end);
+  submaps_.writeTable(T_map_submap);
+  submaps_.merge(file("map.pcd"), T_map_submap, detail_voxel_size_);
+  for (const auto& [submap, occupancy] : occupancy_of_)
+    occupancy_.place(submap, occupancy, T_map_submap.at(submap.value));
+  if (!occupancy_of_.empty()) writeOccupancy();
+}
+
+std::vector<Pose> SlamFiles::submapPoses(const BackEnd& back_end) const {
   std::vector<Pose> T_map_submap;
   for (const SubmapPtr& submap : submaps_.submaps())
     T_map_submap.push_back(back_end.graph().pose(submap->first_scan));
-  submaps_.writeTable(T_map_submap);
-  submaps_.merge(file("map.pcd"), T_map_submap, detail_voxel_size_);
+  return T_map_submap;
+}
+
+MapConsistency SlamFiles::consistency(const BackEnd& back_end) const {
+  ConsistencyConfig config;
+  config.cell_size = kConsistencyCell;
+  ConsistencyBuilder builder(findRevisits(back_end.trajectory(), config), config);
+  const std::vector<Pose> T_map_submap = submapPoses(back_end);
+  for (std::size_t i = 0; i < T_map_submap.size(); ++i) {
+    const Stamp keypose = submaps_.submaps()[i]->stamps.front();
+    if (builder.wants(keypose)) builder.insert(keypose, submaps_.read(i), T_map_submap[i]);
+  }
+  return builder.finish();
+}
+
+void SlamFiles::writeOccupancy() {
+  occupancy_.compose();
+  writeOctomap(file("map.bt"), occupancy_);
+  writeGrid(file("map"), projectedGrid(occupancy_, grid_));
 }
 
 }  // namespace revisit_slam

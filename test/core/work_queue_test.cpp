@@ -51,6 +51,32 @@ TEST(WorkQueue, fullQueueDropsTheOldestAndSaysSo) {
   EXPECT_EQ(handled, (std::vector<int>{0, 4, 5}));
 }
 
+TEST(WorkQueue, pushWaitingLosesNothingAndDrainReturnsWhenAllIsDone) {
+  std::vector<int> handled;
+  WorkQueue<int> queue(3, [&](int item) { handled.push_back(item); },
+                       [] { FAIL() << "waits for room instead"; });
+  for (int i = 0; i < 1000; ++i) queue.pushWaiting(i);
+  queue.drain();
+  ASSERT_EQ(handled.size(), 1000u);
+  EXPECT_EQ(handled.back(), 999);
+}
+
+TEST(WorkQueue, stoppingEndsTheWaitForRoom) {
+  Gate gate;
+  const auto work = [&](int) {
+    gate.started.set_value();
+    gate.release.wait();
+  };
+  WorkQueue<int> queue(1, work, [] {});
+  queue.push(0);
+  gate.started.get_future().wait();
+  queue.push(1);
+  auto pusher = std::async(std::launch::async, [&] { queue.pushWaiting(2); });
+  auto stopper = std::async(std::launch::async, [&] { queue.stop(); });
+  pusher.wait();
+  gate.released.set_value();
+}
+
 TEST(WorkQueue, workThatWaitsHearsOfTheEnd) {
   std::promise<void> started;
   std::atomic<bool> heard{false};

@@ -36,7 +36,7 @@ RunSummary someSummary(OdometryConfig& config) {
   summary.tracked_frame = "base_link";
   summary.time_source = "field 'time'";
   summary.wall_seconds = 12.5;
-  summary.processing_cpu_seconds = 20.1;
+  summary.reading_cpu_seconds = 0.1;
   summary.threads = 2;
   return summary;
 }

@@ -113,5 +113,26 @@ TEST(Kitti, HasTheFirstThreeRowsOfEachMatrixOnALine) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
+TEST(Kitti, ReadsBackPosesAndMakesRotationsOrthonormal) {
+  const TemporaryFolder folder;
+  const Trajectory written = someTrajectory();
+  writeKitti(folder.file("a.txt"), written);
+  const std::vector<Pose> read = readKitti(folder.file("a.txt"));
+  ASSERT_EQ(read.size(), written.size());
+  for (std::size_t i = 0; i < read.size(); ++i)
+    EXPECT_LT((read[i].matrix() - written[i].T_world_base.matrix()).norm(), 1e-8);
+  const auto rounded = folder.with("b.txt", "0.0 -1.001 0 1 0.999 0 0 2 0 0 1.0 3\n");
+  const Eigen::Matrix3d R = readKitti(rounded).at(0).rotationMatrix();
+  EXPECT_LT((R - Eigen::Matrix3d(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()))).norm(),
+            1e-12);
+}
+
+TEST(Kitti, RefusesLinesThatAreNoRigidMotion) {
+  const TemporaryFolder folder;
+  for (const std::string bad : {"1 0 0 0 0 1 0 0 0 0 1", "1 0 0 0 0 1 0 0 0 0 -1 0", "0 0 0 0 0 0 0 0 0 0 0 0"})
+    EXPECT_THROW(readKitti(folder.with("a.txt", bad + "\n")), std::runtime_error) << bad;
+  EXPECT_THROW(readKitti(folder.file("missing.txt")), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -23,6 +23,7 @@ struct RegisteredScan {
   /// Log(T_odom_predicted^-1 * T_odom_base): what the constant-velocity prediction missed.
   Tangent prediction_error = Tangent::Zero();
   Points points_base;       ///< all points in range, deskewed to `stamp`
+  Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
   Points source_base;       ///< the down-sampled points that were registered
   RegistrationResult registration;
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used

@@ -14,7 +14,7 @@ namespace revisit_slam {
 void writePcd(const std::string& path, const Points& points);
 
 /// @throws std::runtime_error naming a file that cannot be read or has no x, y, z.
-Points readPcd(const std::string& path);
+Points readPcdPoints(const std::string& path);
 
 /// A binary PCD file with fields x y z written piece by piece, in whatever memory one piece takes.
 class PcdStream {

@@ -27,6 +27,9 @@ struct RunSummary {
   double memory_mb_per_km = 0.0;
   int threads = 0;
   std::map<std::string, int> loops;  ///< constraints by origin and state
+  /// Revisit map consistency without reference: cells, and RMS in m (mean, standard deviation).
+  std::size_t revisited_cells = 0;
+  double consistency_mean = 0.0, consistency_deviation = 0.0;
   int optimisations = 0, rejected_optimisations = 0, retroactive_pairs = 0;
 };
 

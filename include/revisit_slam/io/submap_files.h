@@ -27,6 +27,9 @@ class SubmapFiles {
   void merge(const std::string& path, const std::vector<Pose>& T_map_submap,
              double voxel_size) const;
 
+  /// The points of a submap as they were written, none if it had none.
+  Points read(std::size_t submap) const;
+
   const std::vector<SubmapPtr>& submaps() const { return submaps_; }
 
  private:

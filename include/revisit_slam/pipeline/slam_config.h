@@ -8,6 +8,7 @@
 #include "revisit_slam/loops/loops_config.h"
 #include "revisit_slam/loops/retroactive_search.h"
 #include "revisit_slam/mapping/mapping_config.h"
+#include "revisit_slam/mapping/occupancy_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/pipeline/background_config.h"
 
@@ -46,6 +47,7 @@ struct SlamConfig {
   OdometryConfig odometry;
   InformationConfig information;
   MappingConfig mapping;
+  OccupancyConfig occupancy;
   LoopsConfig loops;
   RetroactiveConfig retroactive;
   BackEndConfig backend;
@@ -59,6 +61,7 @@ struct SlamConfig {
     v.group("odometry", odometry);
     v.group("information", information);
     v.group("mapping", mapping);
+    v.group("occupancy", occupancy);
     v.group("loops", loops);
     v.group("retroactive", retroactive);
     v.group("backend", backend);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 
+#include "revisit_slam/evaluation/map_consistency.h"
 #include "revisit_slam/io/submap_files.h"
+#include "revisit_slam/mapping/occupancy_map.h"
 #include "revisit_slam/pipeline/back_end.h"
 #include "revisit_slam/pipeline/map_builder.h"
 
@@ -14,21 +17,33 @@ namespace revisit_slam {
 class SlamFiles {
  public:
   /// @throws std::runtime_error naming a folder that cannot be made.
-  SlamFiles(const std::string& folder, const MappingConfig& config);
+  SlamFiles(const std::string& folder, const MappingConfig& mapping,
+            const OccupancyConfig& occupancy);
 
   /// Writes what was closed. @throws std::runtime_error naming the file.
   void add(const MapUpdate& update);
 
-  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv, submaps/submaps.csv
-  /// and map.pcd, each whole or not at all. @throws std::runtime_error naming the file.
-  void write(const BackEnd& back_end) const;
+  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv, submaps/submaps.csv,
+  /// map.pcd, and of the occupancy map.bt, map.pgm and map.yaml, each whole or not at all.
+  /// @throws std::runtime_error naming the file.
+  void write(const BackEnd& back_end);
+
+  /// How well the map agrees with itself where the drive came back (paper Sec. IV-C), with the
+  /// revisits of the corrected trajectory itself and submaps as what is compared.
+  MapConsistency consistency(const BackEnd& back_end) const;
 
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
 
  private:
+  std::vector<Pose> submapPoses(const BackEnd& back_end) const;
+  void writeOccupancy();
+
   std::string folder_;
   double detail_voxel_size_;
   SubmapFiles submaps_;
+  ProjectedGridConfig grid_;
+  std::map<SubmapId, SubmapOccupancyPtr> occupancy_of_;
+  OccupancyMap occupancy_;
 };
 
 }  // namespace revisit_slam

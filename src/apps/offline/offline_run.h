@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/io/progress.h"
+#include "revisit_slam/io/run_folder.h"
+#include "revisit_slam/pipeline/information_stage.h"
+#include "revisit_slam/pipeline/slam.h"
+#include "revisit_slam/pipeline/slam_files.h"
+#include "revisit_slam/ros/front_end.h"
+#include "revisit_slam/ros/scan_source.h"
+
+namespace revisit_slam {
+
+/// Maps recorded scans as fast as the machine allows and leaves a folder of results.
+class OfflineRun : private SlamObserver {
+ public:
+  /// `max_scans` 0: all.
+  OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source, const std::string& folder,
+             std::size_t max_scans, bool quiet);
+
+  /// Returns whether everything was read and every file is whole.
+  bool run();
+
+ private:
+  void placeSensor();
+  bool processAll();
+  void process(const ScanMessage& message);
+  FrontEnd::Result registerMessage(const ScanMessage& message);
+  void finishScan(RegisteredScan&& scan, StageTimes times);
+  void finishMaps();
+  void sayTimeSource();
+  void writeResults();
+  void judgeConsistency(RunSummary& summary);
+  void countLoops(RunSummary& summary) const;
+  double memoryPerKilometre() const;
+
+  void onMaps(const MapUpdate& update) override;
+  void onLoopSearch(const LoopSearchResult& result) override;
+  void onCorrection(const MapCorrectionPtr& correction) override;
+
+  using Clock = std::chrono::steady_clock;
+  /// Memory held after a local map was closed, and where on the way that was.
+  struct MemoryMark {
+    double path_length = 0.0;  // m
+    double megabytes = 0.0;
+  };
+
+  Clock::time_point start_ = Clock::now();
+  SlamConfig config_;
+  std::unique_ptr<ScanSource> source_;
+  RunFolder folder_;
+  FrontEnd front_end_;
+  InformationStage information_;
+  SlamFiles files_;
+  std::size_t total_;
+  Progress progress_;
+  std::string tracked_frame_, said_time_source_;
+  double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
+  std::vector<MemoryMark> memory_;
+
+  std::mutex mutex_;  // guards the next one
+  std::vector<StageTimes> background_times_;
+
+  Slam slam_;  // last: its thread speaks to the observer
+};
+
+}  // namespace revisit_slam

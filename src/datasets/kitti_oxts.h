@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+
+/// Lines "2011-09-26 13:02:25.951199337". KITTI does not say of which time zone; taken as UTC.
+/// @throws DatasetError naming file and line
+std::vector<Stamp> readKittiDates(const std::string& path);
+
+/// The GPS/INS poses T_world_imu of a raw drive's folder oxts, by the Mercator projection of its
+/// development kit with the first latitude's scale; the world has its origin at the first position,
+/// x to the east and z up. @throws DatasetError naming the file
+Trajectory readOxts(const std::string& folder);
+
+}  // namespace revisit_slam

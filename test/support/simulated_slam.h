@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/evaluation/absolute_error.h"
+#include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/pipeline/information_stage.h"
+#include "revisit_slam/pipeline/slam.h"
+#include "revisit_slam/simulation/drive.h"
+
+namespace revisit_slam {
+
+/// A simulated drive, registered and informed once, for as many runs of the stages behind as wanted.
+struct InformedDrive {
+  std::vector<InformedScan> scans;
+  std::vector<Pose> truth;  ///< T_world_base at the stamps of the scans
+};
+
+inline InformedDrive simulateInformedDrive(const std::string& route_name, double length,
+                                           const std::string& sensor, int columns,
+                                           unsigned seed,
+                                           const SlamConfig& config) {
+  using namespace simulation;
+  RouteConfig route_config;
+  route_config.route = route_name;
+  route_config.length = length;
+  route_config.seed = seed;
+  const Route route = makeRoute(route_config);
+  const World world = makeWorld({}, route);
+  const ScanSimulator simulator(world, route, makeSensor(sensor, columns), {});
+  const InformationEstimator estimator(config.information);
+  Odometry odometry(config.odometry, [&](RegisteredScan& scan, const LocalVoxelMap& map) {
+    scan.problem = estimator.gather(scan.source_base, map, scan.T_odom_base,
+                                    Registration::maxCorrespondenceDistance(scan.sigma));
+  });
+  InformationStage information(config.information);
+  InformedDrive drive;
+  simulateDrive(simulator, route, scanCount(route), 2, [&](int, const SimulatedScan& simulated) {
+    OdometryResult result = odometry.registerScan(simulated.scan);
+    drive.truth.push_back(route.poseAt(result.scan->stamp));
+    InformedScan informed =
+        information.inform(std::make_shared<const RegisteredScan>(std::move(*result.scan)));
+    auto light = std::make_shared<RegisteredScan>(*informed.scan);
+    light->problem = {};
+    informed.scan = std::move(light);
+    drive.scans.push_back(std::move(informed));
+  });
+  return drive;
+}
+
+/// Keeps what a run came up with.
+class SlamRecorder : public SlamObserver {
+ public:
+  void onMaps(const MapUpdate& update) override { maps.push_back(update); }
+  void onLoopSearch(const LoopSearchResult& result) override { searches.push_back(result); }
+  void onCorrection(const MapCorrectionPtr& correction) override {
+    corrections.push_back(correction);
+  }
+
+  std::vector<MapUpdate> maps;
+  std::vector<LoopSearchResult> searches;
+  std::vector<MapCorrectionPtr> corrections;
+};
+
+/// RMSE of positions after rigid alignment, m.
+inline double errorOf(const Trajectory& trajectory, const std::vector<Pose>& truth) {
+  TrajectoryMatch match;
+  match.estimate = match.reference = trajectory;
+  for (std::size_t i = 0; i < truth.size(); ++i) match.reference[i].T_world_base = truth[i];
+  return absoluteError(match).rmse;
+}
+
+}  // namespace revisit_slam
