@@ -126,6 +126,14 @@ def missing(sequences: Dict[str, Any]) -> List[str]:
     return lines
 
 
+def used(facts: Dict[str, Any], results: Dict[str, Result]) -> str:
+    """Says so where the runs saw only the beginning of the drive."""
+    counts = {r["scans"] for r in results.values() if r["status"] == "ok"}
+    if not facts or counts <= {facts["scans"]}:
+        return ""
+    return f" Scans used: {', '.join(str(count) for count in sorted(counts))}."
+
+
 def drive(facts: Dict[str, Any]) -> str:
     if not facts:
         return ""
@@ -148,8 +156,9 @@ def disturbance(results: Dict[str, Result]) -> str:
 def section(name: str, sequence: Dict[str, Any]) -> List[str]:
     origin = sequence["origin"]
     described = f"`{origin}`" if origin.startswith("simulate ") else origin
-    lines = [f"## {name}", "", f"{described}. {drive(sequence['facts'])}".strip(), ""]
-    return [*lines, *table(sequence["results"]), "", disturbance(sequence["results"]), ""]
+    results = sequence["results"]
+    text = f"{described}. {drive(sequence['facts'])}".strip() + used(sequence["facts"], results)
+    return [f"## {name}", "", text, "", *table(results), "", disturbance(results), ""]
 
 
 def flat(parameters: Dict[str, Any], prefix: str = "") -> List[str]:
