@@ -11,9 +11,18 @@ from typing import Any, Dict, List
 from benchmark_process import run_or_stop
 from benchmark_sequences import Sequence
 from benchmark_systems import digest
-from trajectories import judge, read_tum
+from trajectories import STAMP_TOLERANCE, judge, read_tum
 
 Judgement = Dict[str, Any]
+
+
+def beginning(reference: Path, estimates: List[Path], used: Path) -> Path:
+    """The reference as far as the estimates go: what no run saw is no revisit."""
+    end = max(read_tum(path).stamps[-1] for path in estimates) + STAMP_TOLERANCE
+    lines = reference.read_text().splitlines(True)
+    kept = [line for line in lines if line.startswith("#") or float(line.split()[0]) <= end]
+    used.write_text("".join(kept))
+    return used
 
 
 def evaluation_file(

@@ -69,7 +69,8 @@ def cell(result: Result, column: Column) -> str:
     return text
 
 
-def table(results: Dict[str, Result]) -> List[str]:
+def table(results: Dict[str, Result], truth: Result) -> List[str]:
+    """truth: what the true trajectory reaches; its consistency is what sensor and measure allow."""
     shown = [c for c in COLUMNS if any(r.get(c.key) is not None for r in results.values())]
     lines = ["| | " + " | ".join(column.title for column in shown) + " |"]
     lines.append("|---|" + "---:|" * len(shown))
@@ -81,6 +82,9 @@ def table(results: Dict[str, Result]) -> List[str]:
         if result["status"] != "ok":
             cells[0] = f"{result['status']} after {result['wall_seconds']:.0f} s"
         lines.append(f"| {system.title} | " + " | ".join(cells) + " |")
+    if truth.get("consistency_m") is not None and any(c.key == "consistency_m" for c in shown):
+        cells = [cell(truth, c) if c.key == "consistency_m" else "" for c in shown]
+        lines.append("| *true trajectory* | " + " | ".join(cells) + " |")
     return lines
 
 
@@ -158,7 +162,8 @@ def section(name: str, sequence: Dict[str, Any]) -> List[str]:
     described = f"`{origin}`" if origin.startswith("simulate ") else origin
     results = sequence["results"]
     text = f"{described}. {drive(sequence['facts'])}".strip() + used(sequence["facts"], results)
-    return [f"## {name}", "", text, "", *table(results), "", disturbance(results), ""]
+    rows = table(results, sequence["truth"])
+    return [f"## {name}", "", text, "", *rows, "", disturbance(results), ""]
 
 
 def flat(parameters: Dict[str, Any], prefix: str = "") -> List[str]:
