@@ -43,9 +43,10 @@ which all these systems deskew.
 - Peers are driven as their own pipelines drive them, from one reader that gives points and point
   times. Their time and CPU leave out reading the bag and loading Python packages; ours leaves out
   reading the bag's bytes only.
-- A scan's time is that of the call that takes it. The peers close loops within that call;
-  revisit_slam does it in the background, so that its loops show in the CPU time and not in p99
-  and maximum. CPU: of all threads over the whole run with its end, divided by the scans.
+- Bags are read as fast as scans are taken. A scan's time is that of the call that takes it. The
+  peers close loops within that call; revisit_slam does it in the background, so that its loops
+  show in the CPU time, and in p99 and maximum only where the runner, faster than the sensor, has
+  to wait for them. CPU: of all threads over the whole run with its end, divided by the scans.
 - Peak memory is that of the whole process; before the first scan the peers' Python takes the part
   in parentheses.
 - ATE: RMSE of the positions after rigid alignment. RPE: relative translation error over 100 to
