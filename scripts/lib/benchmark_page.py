@@ -33,6 +33,7 @@ COLUMNS = (
     Column("CPU of a scan [ms]", "cpu_ms_per_scan", 1),
     Column("peak memory [MB]", "peak_memory_mb", 0),
     Column("loops", "loops", 0, None),
+    Column("disturbed [%]", "others", 0, None),
 )
 
 METHOD = """\
@@ -47,6 +48,8 @@ which all these systems deskew.
   peers close loops within that call; revisit_slam does it in the background, so that its loops
   show in the CPU time, and in p99 and maximum only where the runner, faster than the sensor, has
   to wait for them. CPU: of all threads over the whole run with its end, divided by the scans.
+- Disturbed: the share of the processors that other programs took during the run; where it is high,
+  wall times are too, and CPU times somewhat.
 - Peak memory is that of the whole process; before the first scan the peers' Python takes the part
   in parentheses.
 - ATE: RMSE of the positions after rigid alignment. RPE: relative translation error over 100 to
@@ -62,7 +65,10 @@ def number(value: Any, digits: int) -> str:
 
 
 def cell(result: Result, column: Column) -> str:
-    text = number(result.get(column.key), column.digits)
+    value = result.get(column.key)
+    if column.key == "others":
+        return f"{100 * value:.0f}"
+    text = number(value, column.digits)
     if column.key == "peak_memory_mb" and "memory_before_first_scan_mb" in result:
         text += f" ({result['memory_before_first_scan_mb']:.0f})"
     if column.key == "consistency_m" and "consistency_sd_m" in result:
@@ -149,13 +155,10 @@ def drive(facts: Dict[str, Any]) -> str:
     )
 
 
-def disturbance(results: Dict[str, Result]) -> str:
-    shares = [100 * result["others"] for result in results.values()]
-    caution = " Compare CPU times rather than wall times." if max(shares) > 10 else ""
-    return (
-        f"Other programs took {min(shares):.0f} to {max(shares):.0f} % of the processors in these "
-        f"runs.{caution}"
-    )
+def disturbance(results: Dict[str, Result]) -> List[str]:
+    if max(result["others"] for result in results.values()) <= 0.1:
+        return []
+    return ["Some of these runs were disturbed: compare CPU times rather than wall times.", ""]
 
 
 def section(name: str, sequence: Dict[str, Any]) -> List[str]:
@@ -164,7 +167,7 @@ def section(name: str, sequence: Dict[str, Any]) -> List[str]:
     results = sequence["results"]
     text = f"{described}. {drive(sequence['facts'])}".strip() + used(sequence["facts"], results)
     rows = table(results, sequence["truth"])
-    return [f"## {name}", "", text, "", *rows, "", disturbance(results), ""]
+    return [f"## {name}", "", text, "", *rows, "", *disturbance(results)]
 
 
 def flat(parameters: Dict[str, Any], prefix: str = "") -> List[str]:
