@@ -123,8 +123,8 @@ def losses(
     return lines or ["Nowhere in these runs."]
 
 
-def missing(sequences: Dict[str, Any]) -> List[str]:
-    lines = []
+def missing(sequences: Dict[str, Any], not_run: List[str]) -> List[str]:
+    lines = [f"- {name}: nothing was run" for name in not_run]
     for name, sequence in sequences.items():
         results = sequence["results"]
         absent = [s.name for s in SYSTEMS if s.name not in results]
@@ -206,5 +206,6 @@ def markdown(report: Dict[str, Any]) -> str:
     lines += ["## Where a peer is better", "", *losses(sequences, PEERS, COLUMNS), ""]
     lines += ["## Where a part does not pay", ""]
     lines += losses(sequences, ABLATIONS, COLUMNS[:3])
-    lines += ["", "## Missing", "", *(missing(sequences) or ["Nothing."]), ""]
+    lines += ["", "## Missing", "", *(missing(sequences, report["not_run"]) or ["Nothing."])]
+    lines.append("")
     return "\n".join(lines + parameters(sequences)) + "\n"
