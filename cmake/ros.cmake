@@ -1,22 +1,26 @@
 # The half that knows ROS: conversions, nodelets, programs.
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet pluginlib rosbag roscpp
+  diagnostic_msgs dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag roscpp
   sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
-generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg cfg/LiveInformation.cfg)
+add_service_files(FILES SaveMap.srv TakeBackLoop.srv)
+generate_messages()
+generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg cfg/LiveInformation.cfg
+  cfg/LiveRecognition.cfg cfg/LiveLoops.cfg cfg/LiveRetroactive.cfg cfg/LiveBackEnd.cfg)
 
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES revisit_slam_nodelets
-  CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs nav_msgs nodelet rosbag roscpp
-                 sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
+  CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet
+                 rosbag roscpp sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
 
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*.cpp src/datasets/*.cpp)
 add_library(revisit_slam_ros STATIC ${ros_sources})
 revisit_slam_target_options(revisit_slam_ros)
 target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(revisit_slam_ros PUBLIC revisit_slam_core ${catkin_LIBRARIES})
-add_dependencies(revisit_slam_ros ${catkin_EXPORTED_TARGETS} ${PROJECT_NAME}_gencfg)
+add_dependencies(revisit_slam_ros ${catkin_EXPORTED_TARGETS} ${PROJECT_NAME}_gencfg
+                 ${PROJECT_NAME}_generate_messages_cpp)
 
 file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
 add_library(revisit_slam_nodelets SHARED ${nodelet_sources})
@@ -36,6 +40,7 @@ revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
 revisit_slam_program(convert_dataset)
 revisit_slam_program(evaluate)
+revisit_slam_program(benchmark_loops)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
@@ -43,5 +48,6 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/compare_odometry scripts/evaluate_pictures scripts/benchmark
+install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
+        scripts/benchmark
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

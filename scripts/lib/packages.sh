@@ -4,7 +4,7 @@
 
 BUILD_PACKAGES=(
   g++ make cmake catkin
-  ros-message-generation ros-std-msgs ros-geometry-msgs
+  ros-message-generation ros-message-runtime ros-std-msgs ros-geometry-msgs
   libsensor-msgs-dev libnav-msgs-dev libvisualization-msgs-dev libdiagnostic-msgs-dev libstd-srvs-dev
   libroscpp-dev libnodeletlib-dev pluginlib-dev libtf2-ros-dev libtf2-msgs-dev librosbag-dev
   libtopic-tools-dev
@@ -16,7 +16,7 @@ BUILD_PACKAGES=(
 )
 
 RUN_PACKAGES=(
-  libnodeletlib-tools python3-roslaunch rosbash
+  libnodeletlib-tools python3-roslaunch rosbash python3-genpy python3-std-srvs
   python3-rosbag python3-rostopic python3-rosnode python3-rosservice python3-rosmsg python3-tf2-ros
   python3-sensor-msgs python3-nav-msgs python3-visualization-msgs python3-diagnostic-msgs
   python3-matplotlib python3-numpy python3-yaml python3-venv

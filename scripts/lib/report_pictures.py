@@ -69,6 +69,14 @@ class Track(NamedTuple):
     distance: np.ndarray
 
 
+class Loop(NamedTuple):
+    """A loop constraint to draw: the positions of both ends, (2, 3)."""
+
+    ends: np.ndarray
+    origin: str
+    active: bool
+
+
 class Error(NamedTuple):
     """Distance from the reference over the distance driven."""
 
@@ -163,13 +171,32 @@ def legend_above(axes: Axes) -> None:
     )
 
 
-def trajectory_picture(tracks: List[Track]) -> Figure:
+def draw_loops(axes: Axes, loops: List[Loop]) -> None:
+    colours = {"appearance": "#2a9d8f", "retroactive": "#d98e04"}
+    named = set()
+    for loop in loops:
+        name = f"{loop.origin} loop" if loop.active else "loop left out"
+        axes.plot(
+            loop.ends[:, 0],
+            loop.ends[:, 1],
+            color=colours.get(loop.origin, INK) if loop.active else FAINT,
+            marker="o",
+            markersize=3.5,
+            linewidth=1.4,
+            zorder=6,
+            label="_" + name if name in named else name,
+        )
+        named.add(name)
+
+
+def trajectory_picture(tracks: List[Track], loops: List[Loop]) -> Figure:
     figure, axes = plan_figure(extent_of([track.positions for track in tracks], 0.04))
     for track in tracks:
         axes.plot(
             track.positions[:, 0], track.positions[:, 1], label=track.name, **line_style(track.name)
         )
     estimates = [track for track in tracks if track.name != "reference"]
+    draw_loops(axes, loops)
     mark_ends(axes, estimates[-1].positions)
     draw_scale_bar(axes)
     legend_above(axes)

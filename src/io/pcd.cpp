@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/pcd.h"
 
-#include <pcl/io/pcd_io.h>
-#include <pcl/point_types.h>
-
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "revisit_slam/io/whole_file.h"
@@ -23,16 +21,23 @@ void writePcd(const std::string& path, const Points& points) {
 }
 
 Points readPcdPoints(const std::string& path) {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  bool read = false;
-  try {
-    read = pcl::PCDReader().read(path, cloud) == 0;
-  } catch (const pcl::PCLException&) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  bool of_ours = false;
+  std::size_t count = 0;
+  while (std::getline(file, line) && line != "DATA binary") {
+    if (line == "FIELDS x y z") of_ours = true;
+    if (line.rfind("POINTS ", 0) == 0) count = std::strtoull(line.c_str() + 7, nullptr, 10);
   }
-  if (!read) throw std::runtime_error("cannot read the cloud '" + path + "'");
-  Points points;
-  points.reserve(cloud.size());
-  for (const pcl::PointXYZ& point : cloud) points.push_back(point.getVector3fMap());
+  const std::streamoff begin = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+  file.seekg(0, std::ios::end);
+  const auto bytes = static_cast<std::streamoff>(count * sizeof(Eigen::Vector3f));
+  if (!file || !of_ours || static_cast<std::streamoff>(file.tellg()) - begin != bytes)
+    throw std::runtime_error("'" + path + "' is not a whole binary PCD file with fields x y z");
+  Points points(count);
+  file.seekg(begin);
+  if (!file.read(reinterpret_cast<char*>(points.data()), bytes))
+    throw std::runtime_error("cannot read '" + path + "'");
   return points;
 }
 

@@ -7,6 +7,8 @@ namespace revisit_slam {
 namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
+/// A pair that no other pair confirms may turn from its guess by this part of the limit only.
+constexpr double kUnconfirmedRotation = 1.0 / 3.0;
 
 /// Submaps made ready for registration, each once, for the pairs of one closure.
 class PreparedClouds {
@@ -143,6 +145,11 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
     registered.push_back(
         {targets[pairs[i].target].T_common_submap, sources[pairs[i].source].T_common_submap,
          proposals[i].registration.T_target_source, proposals[i].registration.fitness});
+  }
+  if (candidates.size() == 1 &&
+      proposals[candidates[0]].moved_rotation > kUnconfirmedRotation * config_.max_rotation) {
+    proposals[candidates[0]].outcome = LoopOutcome::far_from_guess;
+    return;
   }
   const std::vector<bool> belongs = majority(registered, config_.agreement);
   for (std::size_t i = 0; i < candidates.size(); ++i)

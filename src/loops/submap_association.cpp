@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/submap_association.h"
 
+#include <optional>
 #include <utility>
+
+#include "revisit_slam/loops/view_overlap.h"
 
 namespace revisit_slam {
 namespace {
@@ -10,6 +13,16 @@ std::vector<Path> pathsOf(const std::vector<PlacedSubmap>& submaps) {
   std::vector<Path> paths;
   for (const PlacedSubmap& placed : submaps) paths.push_back(pathOf(placed));
   return paths;
+}
+
+std::vector<CoarseView> viewsOf(const std::vector<PlacedSubmap>& submaps) {
+  std::vector<CoarseView> views;
+  for (const PlacedSubmap& placed : submaps) views.emplace_back(placed.submap->points);
+  return views;
+}
+
+bool isBetter(const SubmapPair& a, const SubmapPair& b) {
+  return a.overlap != b.overlap ? a.overlap > b.overlap : a.hausdorff < b.hausdorff;
 }
 
 }  // namespace
@@ -35,17 +48,19 @@ std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
                                   const std::vector<PlacedSubmap>& targets,
                                   const AssociationConfig& config) {
   const std::vector<Path> source_paths = pathsOf(sources), target_paths = pathsOf(targets);
+  const std::vector<CoarseView> source_views = viewsOf(sources), target_views = viewsOf(targets);
   std::vector<SubmapPair> pairs;
   for (std::size_t k = 0; k < sources.size(); ++k) {
-    SubmapPair best{k, targets.size(), config.max_hausdorff};
+    std::optional<SubmapPair> best;
     for (std::size_t r = 0; r < targets.size(); ++r) {
-      const double d = hausdorffDistance(source_paths[k], target_paths[r], best.hausdorff);
-      const bool first_found = best.target == targets.size() && d <= best.hausdorff;
-      if (first_found || d < best.hausdorff) best = {k, r, d};
+      const double d = hausdorffDistance(source_paths[k], target_paths[r], config.max_hausdorff);
+      if (d > config.max_hausdorff || !comeWithin(source_paths[k], target_paths[r], config.max_gap))
+        continue;
+      const Pose guess = targets[r].T_common_submap.inverse() * sources[k].T_common_submap;
+      const SubmapPair pair{k, r, d, CoarseView::overlap(source_views[k], target_views[r], guess)};
+      if (!best || isBetter(pair, *best)) best = pair;
     }
-    if (best.target == targets.size()) continue;
-    if (comeWithin(source_paths[k], target_paths[best.target], config.max_gap))
-      pairs.push_back(best);
+    if (best) pairs.push_back(*best);
   }
   return pairs;
 }

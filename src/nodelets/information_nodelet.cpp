@@ -1,65 +1,71 @@
 // SPDX-License-Identifier: MIT
-#include <diagnostic_msgs/DiagnosticArray.h>
-#include <dynamic_reconfigure/server.h>
-#include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <revisit_slam/LiveInformationConfig.h>
+#include <ros/master.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <map>
+#include <pluginlib/class_list_macros.hpp>
 
+#include "revisit_slam/core/work_queue.h"
 #include "revisit_slam/information/motion_covariance.h"
 #include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/pipeline/slam_config.h"
 #include "revisit_slam/ros/in_process_topic.h"
-#include "revisit_slam/ros/parameter_server.h"
+#include "revisit_slam/ros/live_parameters.h"
+#include "revisit_slam/ros/patient_publisher.h"
 #include "revisit_slam/ros/scan_messages.h"
-#include "revisit_slam/core/work_queue.h"
+#include "slam_nodelet.h"
 
 namespace revisit_slam {
 
 /// Gives every registered scan the information of its edge, on a thread of its own, and publishes
 /// the odometry with its covariance. No scan is left out: when scans pile up the information of the
 /// scan before is repeated, marked and counted.
-class InformationNodelet : public nodelet::Nodelet {
+class InformationNodelet : public SlamNodelet {
  public:
+  InformationNodelet() : SlamNodelet("information") {}
   ~InformationNodelet() override {
+    stopDiagnostics();
     subscriber_.shutdown();
-    diagnostics_timer_.stop();
-    reconfigure_server_.reset();
+    live_parameters_.reset();
     if (queue_) queue_->stop();
   }
 
  private:
   using RegisteredScanPtr = boost::shared_ptr<const RegisteredScan>;
 
-  void onInit() override {
+  void start() override {
     ros::NodeHandle& node = getNodeHandle();
-    ros::NodeHandle& private_node = getPrivateNodeHandle();
-    try {
-      config_ = loadConfig<SlamConfig>(private_node);
-    } catch (const ParameterError& error) {
-      NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
-      throw;
-    }
     stage_ = std::make_unique<InformationStage>(config_.information);
 
-    informed_publisher_ = node.advertise<InformedScan>("informed_scan", 100);
+    informed_publisher_ = {node.advertise<InformedScan>("informed_scan", 100),
+                           [this] { return mapsAndGraphAreThere(); }};
     odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry", 100);
     markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>("weak_directions", 2);
-    diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
-    reconfigure_server_ =
-        std::make_unique<ReconfigureServer>(ros::NodeHandle(private_node, "information"));
-    reconfigure_server_->setCallback([this](auto& values, uint32_t) { reconfigure(values); });
+    live_parameters_ = std::make_unique<LiveParameters<LiveInformationConfig, InformationConfig>>(
+        getPrivateNodeHandle(), "information", config_.information,
+        [this](const InformationConfig& config) { reconfigure(config); });
 
     // Scans are light pointers here, and none may be lost.
     queue_ = std::make_unique<WorkQueue<RegisteredScanPtr>>(
         std::numeric_limits<std::size_t>::max(),
         [this](const RegisteredScanPtr& scan) { handle(scan); }, [] {});
-    diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
-                                              [this](const auto&) { publishDiagnostics(); });
     subscriber_ = node.subscribe<RegisteredScan>(
         "registered_scan", 0, [this](const RegisteredScanPtr& scan) { queue_->push(scan); });
+  }
+
+  /// They advertise these when they listen to scans. The number of subscribers does not tell: those
+  /// of one process count as one.
+  bool mapsAndGraphAreThere() const {
+    if (!config_.mapping.enabled) return true;
+    ros::master::V_TopicInfo topics;
+    ros::master::getTopics(topics);
+    const auto advertised = [&](const char* name) {
+      const std::string wanted = getNodeHandle().resolveName(name);
+      return std::any_of(topics.begin(), topics.end(),
+                         [&](const auto& topic) { return topic.name == wanted; });
+    };
+    return advertised("submap") && advertised("map_correction");
   }
 
   // In the thread of the queue.
@@ -67,10 +73,12 @@ class InformationNodelet : public nodelet::Nodelet {
   void handle(const RegisteredScanPtr& scan) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (scan->id == ScanId{0}) startAnew();
-    const bool behind = queue_->waiting() > static_cast<std::size_t>(config_.information.max_waiting);
+    const bool behind =
+        queue_->waiting() > static_cast<std::size_t>(config_.information.max_waiting);
     const auto informed = boost::make_shared<const InformedScan>(
         behind ? stage_->repeat(toStdPointer(scan)) : stage_->inform(toStdPointer(scan)));
-    if (behind) NODELET_WARN_THROTTLE(5.0, "information falls behind: that of an earlier scan is repeated");
+    if (behind)
+      NODELET_WARN_THROTTLE(5.0, "information falls behind: that of an earlier scan is repeated");
     ++scans_by_source_[informed->source];
     weak_directions_ = informed->estimate.weak_directions;
     publish(*informed);
@@ -105,29 +113,13 @@ class InformationNodelet : public nodelet::Nodelet {
 
   // In the threads of the node.
 
-  /// What cannot be used, such as a NaN, is answered with the values in force.
-  void reconfigure(LiveInformationConfig& values) {
+  void reconfigure(const InformationConfig& config) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    InformationConfig& config = config_.information;
-    InformationConfig wanted = config;
-    wanted.weak_ratio = values.weak_ratio;
-    wanted.calibration = values.calibration;
-    wanted.deskew_share = values.deskew_share;
-    try {
-      check(parametersOf(wanted));
-      config = wanted;
-    } catch (const ParameterError& error) {
-      NODELET_ERROR("not changed: %s", error.what());
-    }
-    values.weak_ratio = config.weak_ratio;
-    values.calibration = config.calibration;
-    values.deskew_share = config.deskew_share;
+    config_.information = config;
     stage_->reconfigure(config);
   }
 
-  void publishDiagnostics() {
-    diagnostic_msgs::DiagnosticStatus status;
-    status.name = getName() + ": information";
+  void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const std::size_t repeated = scans_by_source_[InformationSource::repeated];
@@ -143,10 +135,6 @@ class InformationNodelet : public nodelet::Nodelet {
                  toText(direction.direction), status);
     }
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
-    diagnostic_msgs::DiagnosticArray array;
-    array.header.stamp = ros::Time::now();
-    array.status.push_back(status);
-    diagnostics_publisher_.publish(array);
   }
 
   static std::string toText(const Tangent& direction) {
@@ -156,11 +144,8 @@ class InformationNodelet : public nodelet::Nodelet {
     return text.str();
   }
 
-  using ReconfigureServer = dynamic_reconfigure::Server<LiveInformationConfig>;
-
-  SlamConfig config_;
-  ros::Publisher informed_publisher_, odometry_publisher_, markers_publisher_, diagnostics_publisher_;
-  ros::WallTimer diagnostics_timer_;
+  PatientPublisher<InformedScan> informed_publisher_;
+  ros::Publisher odometry_publisher_, markers_publisher_;
 
   std::mutex mutex_;  // guards the next six
   std::unique_ptr<InformationStage> stage_;
@@ -172,7 +157,7 @@ class InformationNodelet : public nodelet::Nodelet {
 
   std::unique_ptr<WorkQueue<RegisteredScanPtr>> queue_;
   ros::Subscriber subscriber_;
-  std::unique_ptr<ReconfigureServer> reconfigure_server_;
+  std::unique_ptr<LiveParameters<LiveInformationConfig, InformationConfig>> live_parameters_;
 };
 
 }  // namespace revisit_slam

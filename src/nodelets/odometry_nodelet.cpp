@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <diagnostic_msgs/DiagnosticArray.h>
-#include <dynamic_reconfigure/server.h>
-#include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <revisit_slam/LiveOdometryConfig.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -10,28 +6,31 @@
 #include <topic_tools/shape_shifter.h>
 
 #include <boost/make_shared.hpp>
+#include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
+#include "revisit_slam/core/work_queue.h"
 #include "revisit_slam/ros/front_end.h"
 #include "revisit_slam/ros/in_process_topic.h"
-#include "revisit_slam/ros/parameter_server.h"
+#include "revisit_slam/ros/live_parameters.h"
+#include "revisit_slam/ros/patient_publisher.h"
 #include "revisit_slam/ros/pose_conversions.h"
 #include "revisit_slam/ros/scan_messages.h"
-#include "revisit_slam/core/work_queue.h"
+#include "slam_nodelet.h"
 
 namespace revisit_slam {
 
 /// Convert, register, broadcast. Scans wait in a queue of their own, so that the number that the
 /// odometry could not take is known.
-class OdometryNodelet : public nodelet::Nodelet {
+class OdometryNodelet : public SlamNodelet {
  public:
+  OdometryNodelet() : SlamNodelet("odometry") {}
   ~OdometryNodelet() override {
-    // Nothing may call into this object while its parts go.
+    stopDiagnostics();
     points_subscriber_.shutdown();
     livox_subscriber_.shutdown();
-    diagnostics_timer_.stop();
     reset_service_.shutdown();
-    reconfigure_server_.reset();
+    live_parameters_.reset();
     if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
   }
 
@@ -40,35 +39,34 @@ class OdometryNodelet : public nodelet::Nodelet {
   using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
   using Message = std::variant<CloudPtr, LivoxPtr>;
 
-  void onInit() override {
+  void start() override {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
-    try {
-      config_ = loadConfig<SlamConfig>(private_node);
-    } catch (const ParameterError& error) {
-      NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
-      throw;
-    }
-    front_end_ = std::make_unique<FrontEnd>(config_);
+    startSession();
 
-    registered_publisher_ = node.advertise<RegisteredScan>("registered_scan", 100);
+    const ros::Publisher registered = node.advertise<RegisteredScan>("registered_scan", 100);
+    registered_publisher_ = {registered,
+                             [registered] { return registered.getNumSubscribers() > 0; }};
     odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry_raw", 100);
     cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("deskewed_points", 2);
-    diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
     reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
-    reconfigure_server_ = std::make_unique<ReconfigureServer>(ros::NodeHandle(private_node, "odometry"));
-    reconfigure_server_->setCallback([this](auto& values, uint32_t) { reconfigure(values); });
+    live_parameters_ = std::make_unique<LiveParameters<LiveOdometryConfig, OdometryConfig>>(
+        private_node, "odometry", config_.odometry,
+        [this](const OdometryConfig& config) { reconfigure(config); });
 
     queue_ = std::make_unique<WorkQueue<Message>>(
         config_.live.queue_size, [this](const Message& message) { handle(message); },
         [this] { onQueueFull(); });
-    diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
-                                              [this](const auto&) { publishDiagnostics(); });
     const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
     points_subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(
         "points", depth, [this](const CloudPtr& cloud) { queue_->push(cloud); });
     livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
         "livox_points", depth, [this](const LivoxPtr& message) { queue_->push(message); });
+  }
+
+  void startSession() {
+    front_end_ = std::make_unique<FrontEnd>(config_);
+    session_ = static_cast<std::int64_t>(ros::WallTime::now().toNSec());
   }
 
   // In the thread of the queue.
@@ -84,6 +82,7 @@ class OdometryNodelet : public nodelet::Nodelet {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       result = front_end_->process(message);
+      if (result.scan) result.scan->session = session_;
     }
     sayTimeSource();
     if (result.scan) {
@@ -93,7 +92,9 @@ class OdometryNodelet : public nodelet::Nodelet {
     }
   }
 
-  static std::string frameOf(const sensor_msgs::PointCloud2& cloud) { return cloud.header.frame_id; }
+  static std::string frameOf(const sensor_msgs::PointCloud2& cloud) {
+    return cloud.header.frame_id;
+  }
 
   static std::string frameOf(const topic_tools::ShapeShifter& message) {
     std::vector<uint8_t> bytes(message.size());
@@ -110,8 +111,7 @@ class OdometryNodelet : public nodelet::Nodelet {
     base_frame_ = config_.frames.base.empty() ? sensor_frame : config_.frames.base;
     while (!queue_->stopping()) {
       try {
-        const auto transform =
-            tf_buffer_.lookupTransform(base_frame_, sensor_frame, ros::Time(0));
+        const auto transform = tf_buffer_.lookupTransform(base_frame_, sensor_frame, ros::Time(0));
         const std::lock_guard<std::mutex> lock(mutex_);
         front_end_->setExtrinsics(toPose(transform.transform));
         return extrinsics_known_ = true;
@@ -154,39 +154,26 @@ class OdometryNodelet : public nodelet::Nodelet {
   void onQueueFull() {
     const std::lock_guard<std::mutex> lock(mutex_);
     front_end_->countDropped("queue full");
-    NODELET_WARN_THROTTLE(5.0, "the odometry does not keep up: the oldest waiting scan was dropped");
+    NODELET_WARN_THROTTLE(5.0,
+                          "the odometry does not keep up: the oldest waiting scan was dropped");
   }
 
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    front_end_ = std::make_unique<FrontEnd>(config_);
+    startSession();
     extrinsics_known_ = false;
     response.success = true;
     response.message = "the odometry starts anew at the next scan";
     return true;
   }
 
-  void reconfigure(LiveOdometryConfig& values) {
+  void reconfigure(const OdometryConfig& config) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    OdometryConfig config = config_.odometry;
-    config.max_range = values.max_range;
-    config.min_range = values.min_range;
-    config.deskew = values.deskew;
-    config.max_prediction_time = values.max_prediction_time;
-    try {
-      check(parametersOf(config));  // the server lets NaN through
-      config_.odometry = config;
-      live_values_ = values;
-    } catch (const ParameterError& error) {
-      NODELET_ERROR("%s", error.what());
-      values = live_values_;
-    }
-    front_end_->reconfigure(config_.odometry);
+    config_.odometry = config;
+    front_end_->reconfigure(config);
   }
 
-  void publishDiagnostics() {
-    diagnostic_msgs::DiagnosticStatus status;
-    status.name = getName() + ": odometry";
+  void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const ScanAccount& account = front_end_->account();
@@ -204,26 +191,19 @@ class OdometryNodelet : public nodelet::Nodelet {
       addAccount(account, status);
     }
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
-    diagnostic_msgs::DiagnosticArray array;
-    array.header.stamp = ros::Time::now();
-    array.status.push_back(status);
-    diagnostics_publisher_.publish(array);
   }
 
-  using ReconfigureServer = dynamic_reconfigure::Server<LiveOdometryConfig>;
-
-  SlamConfig config_;
-  LiveOdometryConfig live_values_;
   std::string base_frame_;  // that of the poses; the queue's thread alone uses it
   tf2_ros::Buffer tf_buffer_;
   tf2_ros::TransformListener tf_listener_{tf_buffer_};
   tf2_ros::TransformBroadcaster tf_broadcaster_;
-  ros::Publisher registered_publisher_, odometry_publisher_, cloud_publisher_, diagnostics_publisher_;
+  PatientPublisher<RegisteredScan> registered_publisher_;
+  ros::Publisher odometry_publisher_, cloud_publisher_;
   ros::ServiceServer reset_service_;
-  ros::WallTimer diagnostics_timer_;
 
-  std::mutex mutex_;  // guards the next five
+  std::mutex mutex_;  // guards the next six
   std::unique_ptr<FrontEnd> front_end_;
+  std::int64_t session_ = 0;
   std::string said_time_source_;
   RegistrationResult last_registration_;
   double last_delay_ = 0.0;  // s
@@ -232,7 +212,7 @@ class OdometryNodelet : public nodelet::Nodelet {
   std::atomic<bool> extrinsics_known_{false};
   std::unique_ptr<WorkQueue<Message>> queue_;
   ros::Subscriber points_subscriber_, livox_subscriber_;
-  std::unique_ptr<ReconfigureServer> reconfigure_server_;
+  std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };
 
 }  // namespace revisit_slam

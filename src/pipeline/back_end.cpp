@@ -58,32 +58,34 @@ void BackEnd::searchRetroactively() {
   const Clock::time_point start = Clock::now();
   const LocalMapId newest = maps_.back()->id;
   const std::vector<Pose> T_map_scan = graph_.poses();
-  const std::vector<RetroactiveCandidate> candidates =
-      retroactive_.search(maps_, T_map_scan, searched_, newest, closed_);
-  bool all = true;
-  int pairs = 0;
   std::vector<LoopConstraint> loops;
-  for (const RetroactiveCandidate& candidate : candidates) {
+  int pairs = 0;
+  bool all = true;
+  for (const RetroactiveCandidate& candidate :
+       retroactive_.search(maps_, T_map_scan, searched_, newest, closed_)) {
     if (tried_.count(candidate.maps) > 0) continue;
-    if (pairs == max_pairs_) {
-      all = false;
-      break;
-    }
-    ++pairs;
-    tried_.insert(candidate.maps);
-    const auto& [source, target] = candidate.maps;
-    const std::vector<LoopProposal> proposals =
-        closer_.close(placeByGraph(*maps_[source.value], T_map_scan),
-                      placeByGraph(*maps_[target.value], T_map_scan), LoopOrigin::retroactive);
-    if (on_proposals_) on_proposals_(proposals);
+    all = pairs < max_pairs_;
+    if (!all) break;
+    const std::vector<LoopProposal> proposals = closeRetroactively(candidate.maps, T_map_scan);
+    pairs += static_cast<int>(proposals.size());
     const std::vector<LoopConstraint> accepted = acceptedOf(proposals);
     loops.insert(loops.end(), accepted.begin(), accepted.end());
-    if (!accepted.empty()) closed_.insert(candidate.maps);
   }
   if (all) searched_ = newest;
   count_.retroactive_pairs += pairs;
   count_.retroactive_seconds += secondsSince(start);
   if (!loops.empty()) optimise(loops);
+}
+
+std::vector<LoopProposal> BackEnd::closeRetroactively(const LocalMapPair& maps,
+                                                      const std::vector<Pose>& T_map_scan) {
+  tried_.insert(maps);
+  const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
+  const std::vector<LoopProposal> proposals =
+      closer_.close(placed(maps.first), placed(maps.second), LoopOrigin::retroactive);
+  if (on_proposals_) on_proposals_(proposals);
+  if (!acceptedOf(proposals).empty()) closed_.insert(maps);
+  return proposals;
 }
 
 bool BackEnd::takeBack(LoopId id) {

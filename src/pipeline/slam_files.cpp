@@ -29,21 +29,31 @@ void SlamFiles::add(const MapUpdate& update) {
   if (update.occupancy) occupancy_of_[update.submap->id] = update.occupancy;
 }
 
-void SlamFiles::write(const BackEnd& back_end) {
+void SlamFiles::writeGraphFiles(const BackEnd& back_end) const {
   const Trajectory trajectory = back_end.trajectory();
   writeTum(file("trajectory.tum"), trajectory);
   writeKitti(file("trajectory_kitti.txt"), trajectory);
   writeGraph(file("pose_graph.g2o"), back_end.graph());
   writeLoops(file("loop_closures.csv"), back_end.graph());
-  const std::vector<Pose> T_map_submap = submapPoses(back_end);
-  submaps_.writeTable(T_map_submap);
-  submaps_.merge(file("map.pcd"), T_map_submap, detail_voxel_size_);
-  for (const auto& [submap, occupancy] : occupancy_of_)
-    occupancy_.place(submap, occupancy, T_map_submap.at(submap.value));
-  if (!occupancy_of_.empty()) writeOccupancy();
+  submaps_.writeTable(placesOfSubmaps(back_end));
 }
 
-std::vector<Pose> SlamFiles::submapPoses(const BackEnd& back_end) const {
+void SlamFiles::write(const BackEnd& back_end) {
+  writeGraphFiles(back_end);
+  const std::vector<Pose> T_map_submap = placesOfSubmaps(back_end);
+  submaps_.merge(file("map.pcd"), T_map_submap, detail_voxel_size_);
+  if (!occupancy_of_.empty()) writeOccupancy(T_map_submap);
+}
+
+void SlamFiles::writeOccupancy(const std::vector<Pose>& T_map_submap) {
+  for (const auto& [submap, occupancy] : occupancy_of_)
+    occupancy_.place(submap, occupancy, T_map_submap.at(submap.value));
+  occupancy_.compose();
+  writeOctomap(file("map.bt"), occupancy_);
+  writeGrid(file("map"), projectedGrid(occupancy_, grid_));
+}
+
+std::vector<Pose> SlamFiles::placesOfSubmaps(const BackEnd& back_end) const {
   std::vector<Pose> T_map_submap;
   for (const SubmapPtr& submap : submaps_.submaps())
     T_map_submap.push_back(back_end.graph().pose(submap->first_scan));
@@ -54,18 +64,12 @@ MapConsistency SlamFiles::consistency(const BackEnd& back_end) const {
   ConsistencyConfig config;
   config.cell_size = kConsistencyCell;
   ConsistencyBuilder builder(findRevisits(back_end.trajectory(), config), config);
-  const std::vector<Pose> T_map_submap = submapPoses(back_end);
+  const std::vector<Pose> T_map_submap = placesOfSubmaps(back_end);
   for (std::size_t i = 0; i < T_map_submap.size(); ++i) {
     const Stamp keypose = submaps_.submaps()[i]->stamps.front();
     if (builder.wants(keypose)) builder.insert(keypose, submaps_.read(i), T_map_submap[i]);
   }
   return builder.finish();
-}
-
-void SlamFiles::writeOccupancy() {
-  occupancy_.compose();
-  writeOctomap(file("map.bt"), occupancy_);
-  writeGrid(file("map"), projectedGrid(occupancy_, grid_));
 }
 
 }  // namespace revisit_slam

@@ -21,7 +21,7 @@ Pose bentPose(std::uint32_t i) {
 GrowingGraph bentDrive() {
   GrowingGraph graph({});
   for (std::uint32_t i = 0; i < kNodes; ++i)
-    graph.add({ScanId{i}, Stamp{i}, bentPose(i), correlatedInformation()});
+    graph.add({ScanId{i}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
   return graph;
 }
 

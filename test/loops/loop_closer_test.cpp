@@ -55,6 +55,19 @@ TEST_F(LoopCloserTest, RejectsAnotherStreet) {
   for (const LoopProposal& proposal : proposals) EXPECT_NE(proposal.outcome, LoopOutcome::accepted);
 }
 
+TEST_F(LoopCloserTest, APairThatNoOtherConfirmsMayTurnLess) {
+  const Tangent turned = (Tangent() << 0, 0, 0, 0, 0, 7.0 * M_PI / 180.0).finished();
+  auto sources = placeByOdometry(*source_, boxplus(T_target_source_, turned));
+  const auto targets = placeByOdometry(*target_, Pose::identity());
+  const LoopCloser closer({}, {});
+  EXPECT_GE(acceptedOf(closer.close(sources, targets, LoopOrigin::retroactive)).size(), 2u);
+  sources.resize(1);
+  const auto alone = closer.close(sources, targets, LoopOrigin::retroactive);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_EQ(alone[0].outcome, LoopOutcome::far_from_guess);
+  EXPECT_LT(alone[0].moved_rotation, LoopCloserConfig().max_rotation);
+}
+
 TEST_F(LoopCloserTest, DoesNotDependOnThreads) {
   std::vector<LoopProposal> one, four;
   tbb::task_arena(1).execute([&] { one = close(*source_, error_); });

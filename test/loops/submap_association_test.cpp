@@ -45,5 +45,26 @@ TEST(SubmapAssociation, NothingBeyondTheThresholds) {
   EXPECT_TRUE(associate({placed(0, 0)}, {}, {}).empty());
 }
 
+/// The same with walls on both sides from 20 m to 45 m ahead: what a sensor sees that looks ahead.
+PlacedSubmap lookingAhead(double x, double y, double yaw = 0.0) {
+  const PlacedSubmap plain = placed(x, y, yaw);
+  auto submap = std::make_shared<Submap>(*plain.submap);
+  for (float ahead = 20; ahead < 45; ahead += 0.5f)
+    for (float up = 0; up < 5; up += 0.5f)
+      for (const float aside : {-10.0f, 10.0f}) submap->points.emplace_back(ahead, aside, up);
+  return {submap, plain.T_common_submap};
+}
+
+TEST(SubmapAssociation, TakesTheTargetThatSawTheSameFromElsewhere) {
+  const std::vector<PlacedSubmap> targets{lookingAhead(0, 0), lookingAhead(25, 0),
+                                          lookingAhead(50, 0)};
+  const auto back = associate({lookingAhead(65, 0, M_PI)}, targets, {});
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_EQ(back[0].target, 0u);
+  EXPECT_GT(back[0].overlap, 0.8);
+  EXPECT_NEAR(back[0].hausdorff, 40.0, 1e-9);
+  EXPECT_EQ(associate({lookingAhead(50, 2)}, targets, {})[0].target, 2u);
+}
+
 }  // namespace
 }  // namespace revisit_slam

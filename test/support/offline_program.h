@@ -17,7 +17,7 @@ class OfflineProgram {
                                        results("")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     ChildProcess process(arguments);
-    status = process.wait(60.0);
+    status = process.wait(300.0);
     output = process.output();
   }
 

@@ -18,6 +18,9 @@ class GrowingGraph {
  public:
   explicit GrowingGraph(const BackEndConfig& config) : config_(config) {}
 
+  /// Takes effect with the next optimisation.
+  void reconfigure(const BackEndConfig& config) { config_ = config; }
+
   /// @throws std::invalid_argument for an id that is not the next one.
   void add(const GraphNode& node);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "revisit_slam/core/ids.h"
@@ -16,6 +17,8 @@ namespace revisit_slam {
 /// A scan with its place in the odometry frame; what the odometry hands on.
 struct RegisteredScan {
   ScanId id;
+  /// A number for the run of the odometry, which counts scans from 0: another one after a reset.
+  std::int64_t session = 0;
   std::string sensor_frame;  ///< frame_id of the message
   Stamp stamp;  ///< the instant at which the pose is valid
   Pose T_odom_base;

@@ -13,7 +13,8 @@ namespace revisit_slam {
 /// @throws std::runtime_error naming the file, or when there are no points.
 void writePcd(const std::string& path, const Points& points);
 
-/// @throws std::runtime_error naming a file that cannot be read or has no x, y, z.
+/// Reads what this project writes. @throws std::runtime_error naming a file that is damaged, or of
+/// another layout.
 Points readPcdPoints(const std::string& path);
 
 /// A binary PCD file with fields x y z written piece by piece, in whatever memory one piece takes.

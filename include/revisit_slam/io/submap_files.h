@@ -19,6 +19,9 @@ class SubmapFiles {
   /// Ids count from 0 without gaps. @throws std::runtime_error naming the file.
   void add(const SubmapPtr& submap, const Points& detail_submap);
 
+  /// What was added as the detail of a submap. @throws std::runtime_error naming the file.
+  Points read(std::size_t submap) const;
+
   /// submaps.csv: which scans a submap has, and where it lies, by SubmapId.
   void writeTable(const std::vector<Pose>& T_map_submap) const;
 
@@ -26,9 +29,6 @@ class SubmapFiles {
   /// a part of the map of 200 m x 200 m at a time.
   void merge(const std::string& path, const std::vector<Pose>& T_map_submap,
              double voxel_size) const;
-
-  /// The points of a submap as they were written, none if it had none.
-  Points read(std::size_t submap) const;
 
   const std::vector<SubmapPtr>& submaps() const { return submaps_; }
 

@@ -42,6 +42,9 @@ class LoopCloser {
  public:
   LoopCloser(const LoopCloserConfig& config, const InformationConfig& information);
 
+  /// Takes over what judges a registration; how it is done stays.
+  void reconfigure(const LoopCloserConfig& config) { config_ = config; }
+
   /// From a guess of where the source is in the target (place recognition); submaps are placed in
   /// their local maps by the odometry.
   std::vector<LoopProposal> close(const LocalMap& source, const LocalMap& target,

@@ -27,7 +27,8 @@ struct LoopCloserConfig {
     v("max_translation", max_translation, Range{0.0, 1000.0}, "m",
       "a registration that moved farther from its guess is rejected");
     v("max_rotation", max_rotation, Range{0.0, 180.0}, "deg",
-      "a registration that turned farther from its guess is rejected");
+      "a registration that turned farther from its guess is rejected; a third of it where no "
+      "other registration of these local maps confirms it");
     v.group("agreement", agreement);
   }
 };

@@ -31,6 +31,14 @@ class LoopSearch {
  public:
   LoopSearch(const LoopsConfig& config, const InformationConfig& information);
 
+  /// Takes effect with the next map. Acceptance may change while a drive goes on, pictures and
+  /// registration may not.
+  void reconfigure(const LoopsConfig& config) {
+    config_ = config;
+    recognition_.reconfigure(config.recognition);
+    closer_.reconfigure(config.closer);
+  }
+
   /// Ids count from 0 without gaps. Runs in the current TBB arena.
   LoopSearchResult search(const LocalMapPtr& map);
 

@@ -35,6 +35,9 @@ class PlaceRecognition {
  public:
   explicit PlaceRecognition(const PlaceRecognitionConfig& config) : config_(config) {}
 
+  /// Takes effect with the next map; the places seen so far stay as they are.
+  void reconfigure(const PlaceRecognitionConfig& config) { config_ = config; }
+
   /// Looks for `map` among the maps seen so far, but for the newest, and then adds it. Takes any
   /// map; one without features matches nothing.
   /// @return the best candidate, if more than min_inliers features agree on it.

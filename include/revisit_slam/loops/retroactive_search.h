@@ -16,7 +16,7 @@ struct RetroactiveConfig {
   AssociationConfig association;
   int min_separation = 2;
   int novelty_range = 5;
-  int max_pairs = 10;
+  int max_pairs = 20;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -27,7 +27,8 @@ struct RetroactiveConfig {
     v("novelty_range", novelty_range, Range{1, 1000}, "",
       "a closure this many local maps from any other gains as much as one still farther");
     v("max_pairs", max_pairs, Range{1, 10000}, "",
-      "local-map pairs registered after one optimisation; the rest waits for the next");
+      "pairs of submaps registered after one optimisation, or the pairs of one pair of local maps "
+      "where those are more; the rest waits for the next");
   }
 };
 
@@ -47,6 +48,8 @@ std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Po
 class RetroactiveSearch {
  public:
   explicit RetroactiveSearch(const RetroactiveConfig& config) : config_(config) {}
+
+  void reconfigure(const RetroactiveConfig& config) { config_ = config; }
 
   /// Pairs (i, j) with p < i <= n and j earlier, not neighbouring, not in `closed`, whose optimised
   /// trajectories satisfy d_H <= tau_H and come near; most promising first. `maps` counts by local

@@ -40,11 +40,13 @@ struct SubmapPair {
   std::size_t source;
   std::size_t target;
   double hausdorff;  ///< m
+  double overlap;    ///< of what both see, as placed: 0 … 1
 };
 
-/// Z_ij (paper Sec. III-C): for each source submap the target submap of the smallest Hausdorff
-/// distance, where that is at most tau_H; of equally near ones the first. Opposite directions of
-/// travel associate like equal ones.
+/// Z_ij: for each source submap one target submap whose Hausdorff distance is at most tau_H (paper
+/// Sec. III-C). The paper takes the nearest; we take the one that sees most of the same, and of
+/// those that see equally much the nearest: a sensor that looks ahead sees on its way back what it
+/// saw from another stretch of the way out.
 std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
                                   const std::vector<PlacedSubmap>& targets,
                                   const AssociationConfig& config);

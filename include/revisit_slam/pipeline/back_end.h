@@ -19,7 +19,7 @@ namespace revisit_slam {
 struct BackEndCount {
   int optimisations = 0;
   int rejected_optimisations = 0;
-  int retroactive_pairs = 0;  ///< local-map pairs that were tried
+  int retroactive_pairs = 0;  ///< pairs of submaps that were registered
   double optimisation_seconds = 0.0;
   double retroactive_seconds = 0.0;
 };
@@ -35,6 +35,14 @@ class BackEnd {
   using OnCorrection = std::function<void(const MapCorrectionPtr&)>;
   using OnProposals = std::function<void(const std::vector<LoopProposal>&)>;
   BackEnd(const SlamConfig& config, OnCorrection on_correction, OnProposals on_proposals = {});
+
+  /// Kernel, acceptance of loops and retroactive search, from the next local map on.
+  void reconfigure(const SlamConfig& config) {
+    graph_.reconfigure(config.backend);
+    closer_.reconfigure(config.loops.closer);
+    retroactive_.reconfigure(config.retroactive);
+    max_pairs_ = config.retroactive.max_pairs;
+  }
 
   void add(const GraphNode& node) { graph_.add(node); }
 
@@ -58,6 +66,8 @@ class BackEnd {
   ScanId lastScanOfMaps() const { return maps_.back()->submaps.back()->lastScan(); }
   void optimise(const std::vector<LoopConstraint>& new_loops);
   void searchRetroactively();
+  std::vector<LoopProposal> closeRetroactively(const LocalMapPair& maps,
+                                               const std::vector<Pose>& T_map_scan);
 
   GrowingGraph graph_;
   LoopCloser closer_;

@@ -31,12 +31,22 @@ struct FramesConfig {
 struct LiveConfig {
   int queue_size = 100;
   double diagnostics_period = 1.0;
+  std::string folder;
+  bool broadcast_map = true;
+  double transform_rate = 20.0;
+  double transform_tolerance = 0.1;
 
   template <typename Visitor>
   void visit(Visitor& v) {
     v("queue_size", queue_size, Range{1, 10000}, "scans",
       "scans that may wait; when more come the oldest is dropped and counted");
     v("diagnostics_period", diagnostics_period, Range{0.1, 60.0}, "s", "between two diagnostics");
+    v("folder", folder, Choices{}, "",
+      "where each drive gets a folder, written to as it goes; empty: only what is asked for");
+    v("broadcast_map", broadcast_map, "broadcast the transform from the map to the odometry frame");
+    v("transform_rate", transform_rate, Range{0.1, 1000.0}, "Hz", "of that transform");
+    v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
+      "it is dated so far ahead of the newest scan");
   }
 };
 

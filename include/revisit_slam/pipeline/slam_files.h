@@ -23,9 +23,12 @@ class SlamFiles {
   /// Writes what was closed. @throws std::runtime_error naming the file.
   void add(const MapUpdate& update);
 
-  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv, submaps/submaps.csv,
-  /// map.pcd, and of the occupancy map.bt, map.pgm and map.yaml, each whole or not at all.
+  /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv and
+  /// submaps/submaps.csv, each whole or not at all: all that the graph says, quickly.
   /// @throws std::runtime_error naming the file.
+  void writeGraphFiles(const BackEnd& back_end) const;
+
+  /// The same and map.pcd, and of the occupancy map.bt, map.pgm and map.yaml.
   void write(const BackEnd& back_end);
 
   /// How well the map agrees with itself where the drive came back (paper Sec. IV-C), with the
@@ -33,10 +36,13 @@ class SlamFiles {
   MapConsistency consistency(const BackEnd& back_end) const;
 
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  const std::vector<SubmapPtr>& submaps() const { return submaps_.submaps(); }
+  /// The points of a submap as they were added, in its frame. @throws std::runtime_error
+  Points detail(SubmapId id) const { return submaps_.read(id.value); }
 
  private:
-  std::vector<Pose> submapPoses(const BackEnd& back_end) const;
-  void writeOccupancy();
+  std::vector<Pose> placesOfSubmaps(const BackEnd& back_end) const;
+  void writeOccupancy(const std::vector<Pose>& T_map_submap);
 
   std::string folder_;
   double detail_voxel_size_;

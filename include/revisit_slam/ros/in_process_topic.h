@@ -19,6 +19,12 @@ std::shared_ptr<const T> toStdPointer(const boost::shared_ptr<const T>& pointer)
   return {pointer.get(), [pointer](const T*) {}};
 }
 
+/// The other way round.
+template <typename T>
+boost::shared_ptr<const T> toBoostPointer(const std::shared_ptr<const T>& pointer) {
+  return {pointer.get(), [pointer](const T*) {}};
+}
+
 }  // namespace revisit_slam
 
 /// C++ types as topics within one process: the boost::shared_ptr<const T> that a nodelet publishes

@@ -18,6 +18,7 @@ class Information : public InProcessOdometry {
 
   void loadBoth() {
     ros::param::set(space_ + "information/frames/base", std::string());
+    ros::param::set(space_ + "information/mapping/enabled", false);  // no maps are waited for
     load();
     ASSERT_TRUE(loader_.load(space_ + "information", "revisit_slam/Information", {}, {}));
     registered_subscriber_ = node_.subscribe<RegisteredScan>(
@@ -99,17 +100,18 @@ TEST_F(Information, theOdometryHasACovarianceThatGrows) {
 TEST_F(Information, fallingBehindRepeatsTheLastMatrixAndMarksIt) {
   ros::param::set(space_ + "information/information/max_waiting", 1);
   loadBoth();
-  std::vector<RegisteredScan> scans(kScans);
   ros::Publisher burst = node_.advertise<RegisteredScan>("registered_scan", 0);
   ASSERT_TRUE(becomesTrue([&] { return burst.getNumSubscribers() > 0; }));
   // Real problems first, so that there is work, then more than can wait.
   for (const auto& cloud : toClouds(driveInRoom(3))) publish(cloud);
   ASSERT_TRUE(allHere(3));
+  std::vector<RegisteredPtr> many;
   for (std::uint32_t i = 0; i < 200; ++i) {
     auto scan = boost::make_shared<RegisteredScan>(*registered_.back());
     scan->id = {3 + i};
-    burst.publish(boost::shared_ptr<const RegisteredScan>(scan));
+    many.push_back(scan);
   }
+  for (const RegisteredPtr& scan : many) burst.publish(scan);
   ASSERT_TRUE(allHere(203));
   std::map<InformationSource, int> counts;
   for (const InformedPtr& scan : informed_) ++counts[scan->source];

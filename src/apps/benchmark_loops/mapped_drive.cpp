@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "mapped_drive.h"
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "revisit_slam/io/progress.h"
+#include "revisit_slam/pipeline/information_stage.h"
+#include "revisit_slam/pipeline/map_builder.h"
+#include "revisit_slam/ros/bag_scans.h"
+#include "revisit_slam/ros/front_end.h"
+
+namespace revisit_slam {
+namespace {
+
+Pose extrinsics(BagScans& bag, const std::string& base_frame) {
+  for (const rosbag::MessageInstance& instance : bag.messages())
+    if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
+      if (const auto T_base_sensor = bag.findExtrinsics(base_frame, cloud->header.frame_id))
+        return *T_base_sensor;
+  throw BagError("the bag does not say where the sensor is on '" + base_frame + "'");
+}
+
+Pose poseAt(const Trajectory& truth, Stamp stamp) {
+  const auto earlier = [](const StampedPose& pose, Stamp instant) { return pose.stamp < instant; };
+  const auto after = std::lower_bound(truth.begin(), truth.end(), stamp, earlier);
+  if (after != truth.end() && after->stamp == stamp) return after->T_world_base;
+  if (after == truth.begin() || after == truth.end())
+    throw std::runtime_error("the truth does not cover the scan at " + stampText(stamp));
+  const StampedPose& before = *(after - 1);
+  const double share =
+      secondsBetween(before.stamp, stamp) / secondsBetween(before.stamp, after->stamp);
+  const Pose &a = before.T_world_base, &b = after->T_world_base;
+  return {a.rotation.slerp(share, b.rotation),
+          (1.0 - share) * a.translation + share * b.translation};
+}
+
+void append(Stretch& stretch, const Submap& submap, const Pose& T_map_submap,
+            const Trajectory& truth) {
+  for (std::size_t i = 0; i < submap.stamps.size(); ++i) {
+    stretch.T_map_scan.push_back(T_map_submap * submap.T_submap_scan[i]);
+    stretch.T_world_scan.push_back(poseAt(truth, submap.stamps[i]));
+  }
+}
+
+}  // namespace
+
+MappedDrive mapDrive(const std::string& path, const std::string& topic, const SlamConfig& config,
+                     bool quiet) {
+  BagScans bag({path}, topic);
+  FrontEnd front_end(config);
+  front_end.setExtrinsics(extrinsics(bag, config.frames.base));
+  InformationStage information(config.information);
+  MapBuilder builder(config.mapping, config.occupancy);
+  MappedDrive drive;
+  const auto keep = [&](const MapUpdate& update) {
+    if (update.local_map) drive.maps.push_back(update.local_map);
+  };
+  Progress progress("mapping", "scans", bag.size(), quiet);
+  std::size_t done = 0;
+  for (const rosbag::MessageInstance& instance : bag.messages()) {
+    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud) continue;
+    FrontEnd::Result result = front_end.process(*cloud);
+    progress.update(++done);
+    if (!result.scan) continue;
+    const InformedScan informed =
+        information.inform(std::make_shared<const RegisteredScan>(std::move(*result.scan)));
+    keep(builder.insert(*informed.scan));
+    drive.nodes.push_back(nodeOf(informed));
+  }
+  keep(builder.closeAll());
+  progress.finish();
+  return drive;
+}
+
+Stretch stretchOf(const Submap& submap, const Trajectory& truth) {
+  Stretch stretch;
+  append(stretch, submap, Pose::identity(), truth);
+  return stretch;
+}
+
+Stretch stretchOf(const LocalMap& map, const Trajectory& truth) {
+  Stretch stretch;
+  for (const SubmapPtr& submap : map.submaps)
+    append(stretch, *submap, map.T_odom_local().inverse() * submap->T_odom_submap, truth);
+  return stretch;
+}
+
+}  // namespace revisit_slam

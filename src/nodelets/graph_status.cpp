@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "graph_status.h"
+
+#include "revisit_slam/io/process_usage.h"
+#include "revisit_slam/ros/scan_messages.h"
+
+namespace revisit_slam {
+
+void GraphStatus::note(const GraphSession& session) {
+  const BackEnd& back_end = session.backEnd();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  loops_.clear();
+  for (const LoopEdge& edge : back_end.graph().loops())
+    ++loops_[std::string(toString(edge.loop.origin)) + ", " + toString(edge.state)];
+  scans_ = back_end.graph().size();
+  submaps_ = session.submaps().size();
+  local_maps_ = back_end.maps().size();
+  count_ = back_end.count();
+  folder_ = session.folder();
+  if (count_.optimisations > 0) return;  // else a session that has just begun
+  version_ = 0;
+  told_rejections_ = 0;
+}
+
+void GraphStatus::noteCorrection(const MapCorrection& correction) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  version_ = correction.version;
+  moved_end_ = correction.moved_end;
+}
+
+void GraphStatus::noteError(const std::string& error) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  error_ = error;
+}
+
+void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& status) {
+  constexpr std::size_t most_waiting = 200;  // 20 s of scans
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status.level = status.OK;
+  status.message = "running";
+  if (count_.rejected_optimisations > told_rejections_) {
+    status.level = status.WARN;
+    status.message = "an optimisation was rejected";
+  }
+  if (waiting > most_waiting) {
+    status.level = status.WARN;
+    status.message = "falling behind";
+  }
+  if (!error_.empty()) {
+    status.level = status.ERROR;
+    status.message = error_;
+  }
+  told_rejections_ = count_.rejected_optimisations;
+  error_.clear();
+  addValue("scans", std::to_string(scans_), status);
+  addValue("submaps", std::to_string(submaps_), status);
+  addValue("local maps", std::to_string(local_maps_), status);
+  for (const auto& [kind, count] : loops_)
+    addValue("loops by " + kind, std::to_string(count), status);
+  addValue("optimisations", std::to_string(count_.optimisations), status);
+  addValue("optimisations rejected", std::to_string(count_.rejected_optimisations), status);
+  addValue("pairs tried retroactively", std::to_string(count_.retroactive_pairs), status);
+  addValue("map version", std::to_string(version_), status);
+  addValue("last correction moved the end by (m)", std::to_string(moved_end_), status);
+  addValue("waiting", std::to_string(waiting), status);
+  addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
+  addValue("folder", folder_, status);
+}
+
+}  // namespace revisit_slam

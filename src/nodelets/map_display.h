@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/core/map_correction.h"
+#include "revisit_slam/loops/loop_search.h"
+
+namespace revisit_slam {
+
+/// Maps, and the search for loops, for rviz: where the newest correction has them. What nobody
+/// listens to is not built. Only one thread may use it.
+class MapDisplay {
+ public:
+  /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
+  MapDisplay(ros::NodeHandle& node, const std::string& frame, std::function<void()> on_subscriber);
+
+  void startAnew();
+  void add(const SubmapPtr& submap) { submaps_.push_back(submap); }
+  void add(const LoopSearchResult& search);
+  void place(const MapCorrectionPtr& correction) { correction_ = correction; }
+  void draw() const;
+
+ private:
+  Pose placeOf(const Submap& submap) const;
+  Pose placeOf(const LocalMap& map) const { return placeOf(*map.submaps.front()); }
+  void drawClouds() const;
+  void drawMarkers() const;
+
+  std::string frame_;
+  ros::Publisher local_maps_, submap_points_, outlines_, keyposes_, density_, candidates_;
+
+  std::vector<SubmapPtr> submaps_;  // by SubmapId
+  std::vector<LocalMapPtr> maps_;   // by LocalMapId
+  std::deque<LoopSearchResult> searches_;
+  MapCorrectionPtr correction_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <nav_msgs/Path.h>
+#include <sensor_msgs/Image.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <filesystem>
+#include <set>
+
+#include "drive_with_loops.h"
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+namespace {
+
+std::vector<std::string> entriesOf(const std::string& folder) {
+  std::set<std::string> entries;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    entries.insert(entry.path().string());
+  return {entries.begin(), entries.end()};
+}
+
+std::vector<LiveSlam::CloudPtr> firstScans(std::size_t count) {
+  const auto& clouds = DriveWithLoops::get().clouds;
+  return {clouds.begin(), clouds.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+TEST(Sessions, eachHasAFolderAndNothingOfTheFirstIsLostByAReset) {
+  const TemporaryFolder folder;
+  LiveSlam slam("reset", folder.file("drives"));
+  slam.load();
+  slam.play(firstScans(200));
+  ASSERT_TRUE(slam.trigger("odometry/reset").success);
+  slam.play(firstScans(150));
+  const auto finished = slam.trigger("back_end/finish");
+  ASSERT_TRUE(finished.success) << finished.message;
+
+  const std::vector<std::string> drives = entriesOf(folder.file("drives"));
+  ASSERT_EQ(drives.size(), 2u);
+  EXPECT_EQ(drives[1], drives[0] + "_2");  // they began at the same instant
+  EXPECT_EQ(readTum(drives[0] + "/trajectory.tum").size(), 200u);
+  EXPECT_EQ(readTum(drives[1] + "/trajectory.tum").size(), 150u);
+  for (const std::string& drive : drives)
+    for (const char* name : {"/map.pcd", "/pose_graph.g2o", "/submaps/submaps.csv"})
+      EXPECT_TRUE(std::filesystem::exists(drive + name)) << drive << name;
+
+  std::set<std::int64_t> sessions;
+  for (const auto& maps : slam.copyOf(slam.maps)) sessions.insert(maps->session);
+  EXPECT_EQ(sessions.size(), 2u);
+  EXPECT_LT(slam.copyOf(slam.maps).back()->maps.submap->first_scan.value, 150u);
+}
+
+TEST(Sessions, whatWasDrivenIsOnDiskWhenTheNodeletsEndUnasked) {
+  const TemporaryFolder folder;
+  LiveSlam slam("shutdown", folder.file("drives"));
+  slam.load();
+  slam.play(firstScans(120));
+  slam.unload();
+  const std::vector<std::string> drives = entriesOf(folder.file("drives"));
+  ASSERT_EQ(drives.size(), 1u);
+  EXPECT_EQ(readTum(drives[0] + "/trajectory.tum").size(), 120u);
+}
+
+TEST(Sessions, savingNeedsAFolderAndSomethingToSave) {
+  LiveSlam slam("saving");
+  slam.load();
+  EXPECT_FALSE(slam.save("").success);
+  EXPECT_TRUE(slam.trigger("back_end/finish").message == "there is nothing to finish");
+  slam.play(firstScans(30));
+  EXPECT_FALSE(slam.save("").success);
+  EXPECT_FALSE(slam.save("/proc/nowhere").success);
+  const TemporaryFolder folder;
+  const SaveMap::Response saved = slam.save(folder.file("a/b"));
+  EXPECT_TRUE(saved.success) << saved.message;
+  EXPECT_EQ(readTum(folder.file("a/b/trajectory.tum")).size(), saved.scans);
+}
+
+TEST(Display, comesToThoseWhoListenLate) {
+  LiveSlam slam("display");
+  slam.load();
+  slam.play(firstScans(200));
+  ASSERT_TRUE(slam.trigger("back_end/finish").success);
+  std::mutex mutex;
+  std::set<std::string> seen;
+  const auto note = [&](const std::string& topic, bool filled) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (filled) seen.insert(topic);
+  };
+  std::vector<ros::Subscriber> subscribers;
+  for (const std::string topic : {"local_maps", "submaps", "map_cloud"})
+    subscribers.push_back(slam.node().subscribe<sensor_msgs::PointCloud2>(
+        topic, 10, [&, topic](const sensor_msgs::PointCloud2::ConstPtr& cloud) {
+          note(topic, cloud->width > 1000 && cloud->header.frame_id == "map");
+        }));
+  for (const std::string topic : {"map_outlines", "keyposes"})
+    subscribers.push_back(slam.node().subscribe<visualization_msgs::MarkerArray>(
+        topic, 10, [&, topic](const visualization_msgs::MarkerArray::ConstPtr& array) {
+          note(topic, array->markers.size() > 1);
+        }));
+  subscribers.push_back(slam.node().subscribe<nav_msgs::Path>(
+      "path", 10,
+      [&](const nav_msgs::Path::ConstPtr& path) { note("path", path->poses.size() > 20); }));
+  subscribers.push_back(slam.node().subscribe<sensor_msgs::Image>(
+      "density_image", 10, [&](const sensor_msgs::Image::ConstPtr& image) {
+        note("density_image", image->width > 100);
+      }));
+  EXPECT_TRUE(becomesTrue([&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return seen.size() == 7;
+  })) << ::testing::PrintToString(seen);
+  for (ros::Subscriber& subscriber : subscribers) subscriber.shutdown();
+}
+
+}  // namespace
+}  // namespace revisit_slam

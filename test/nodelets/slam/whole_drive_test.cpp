@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <tf2_ros/transform_listener.h>
+
+#include "drive_with_loops.h"
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+namespace {
+
+TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeTakenBack) {
+  DriveWithLoops& drive = DriveWithLoops::get();
+  LiveSlam slam("whole_drive");
+  tf2_ros::Buffer transforms;
+  tf2_ros::TransformListener transform_listener(transforms);
+  slam.load();
+  slam.play(drive.clouds);
+  ASSERT_TRUE(slam.trigger("back_end/finish").success);
+  const TemporaryFolder folder;
+  const SaveMap::Response saved = slam.save(folder.file("saved"));
+  ASSERT_TRUE(saved.success) << saved.message;
+  EXPECT_EQ(saved.scans, drive.clouds.size());
+  ASSERT_GE(saved.loops, 1u);
+
+  for (const char* name : {"trajectory.tum", "trajectory_kitti.txt", "pose_graph.g2o",
+                           "loop_closures.csv", "submaps/submaps.csv"})
+    EXPECT_EQ(textOf(folder.file(std::string("saved/") + name)),
+              textOf(drive.offline->results(name)))
+        << name;
+  EXPECT_GT(textOf(folder.file("saved/map.pcd")).size(), 100'000u);
+  EXPECT_TRUE(slam.listener().drops().empty());
+
+  // Nothing was copied on the way: the maps that were searched are those that were closed.
+  const auto maps = slam.copyOf(slam.maps);
+  const auto loops = slam.copyOf(slam.loops);
+  EXPECT_EQ(maps.size(), saved.submaps);
+  std::vector<LocalMapPtr> closed;
+  for (const auto& message : maps)
+    if (message->maps.local_map) closed.push_back(message->maps.local_map);
+  ASSERT_EQ(loops.size(), closed.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    EXPECT_EQ(loops[i]->search.map.get(), closed[i].get());
+    EXPECT_EQ(loops[i]->search.map->id.value, i);
+  }
+
+  // Corrections count from 1, and the last one is what TF says.
+  auto corrections = slam.copyOf(slam.corrections);
+  ASSERT_FALSE(corrections.empty());
+  for (std::size_t i = 0; i < corrections.size(); ++i)
+    EXPECT_EQ(corrections[i]->correction->version, i + 1);
+  const auto broadcast = [&](const Pose& T_map_odom) {
+    return becomesTrue([&] {
+      if (!transforms.canTransform("map", "odom", ros::Time(0))) return false;
+      const Pose T = toPose(transforms.lookupTransform("map", "odom", ros::Time(0)).transform);
+      return (T.translation - T_map_odom.translation).norm() < 1e-9;
+    });
+  };
+  const Pose T_map_odom = corrections.back()->correction->T_map_odom;
+  EXPECT_GT(T_map_odom.translation.norm() + T_map_odom.angle(), 1e-6);
+  EXPECT_TRUE(broadcast(T_map_odom));
+
+  // Without any loop the map is that of the odometry again.
+  const std::size_t all = corrections.back()->correction->loops.size();
+  TakeBackLoop take_back;
+  for (std::uint32_t id = 0; id < all; ++id) {
+    take_back.request.loop = id;
+    const bool active = corrections.back()->correction->loops[id].state == LoopState::active;
+    EXPECT_EQ(slam.call("back_end/take_back_loop", take_back).response.success, active) << id;
+  }
+  EXPECT_FALSE(slam.call("back_end/take_back_loop", take_back).response.success);
+  EXPECT_TRUE(broadcast(Pose::identity()));
+  ASSERT_TRUE(slam.save(folder.file("without")).success);
+  const Trajectory without = readTum(folder.file("without/trajectory.tum"));
+  const Trajectory odometry = readTum(drive.offline->results("odometry.tum"));
+  ASSERT_EQ(without.size(), odometry.size());
+  for (std::size_t i = 0; i < without.size(); ++i)
+    EXPECT_LT((without[i].T_world_base.translation - odometry[i].T_world_base.translation).norm(),
+              1e-6);
+}
+
+}  // namespace
+}  // namespace revisit_slam
