@@ -49,4 +49,5 @@ install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
+        scripts/benchmark
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The peers' virtual environment and the description of the machine."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Iterator
+
+from benchmark_process import processors, run_or_stop
+
+REQUIREMENTS = (
+    "kiss-icp==1.3.0",
+    "kiss-slam==0.0.2",
+    "retro-slam==0.0.1",
+    "map-closures==2.2.0",
+    "open3d==0.20.0",
+    "numpy==2.2.6",
+    "rosbags==0.11.9",
+)
+# The versions that all peers have packages for, the best tried first.
+PYTHONS = ((3, 11), (3, 12), (3, 10))
+
+
+def candidates(wanted: str) -> Iterator[str]:
+    found = shutil.which(f"python{wanted}")
+    if found:
+        yield found
+    for folder in sorted(Path.home().glob(f".pyenv/versions/{wanted}.*"), reverse=True):
+        yield str(folder / "bin" / "python3")
+    yield "python3"
+
+
+def version_of(python: str) -> str:
+    code = "import sys, venv, ensurepip; print('%d.%d' % sys.version_info[:2])"
+    try:
+        return subprocess.check_output(
+            [python, "-c", code], stderr=subprocess.DEVNULL, universal_newlines=True
+        ).strip()
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+
+
+def suitable_python() -> str:
+    for wanted in ("{}.{}".format(*version) for version in PYTHONS):
+        for python in candidates(wanted):
+            if version_of(python) == wanted:
+                return python
+    names = ", ".join("{}.{}".format(*version) for version in PYTHONS)
+    raise SystemExit(f"error: the peers need Python {names} with venv; give it with --python")
+
+
+def make_environment(folder: Path, python: str) -> Path:
+    """The environment's Python; it is made anew when the requirements change."""
+    inside, note = folder / "bin" / "python", folder / "requirements"
+    wanted = "\n".join(REQUIREMENTS)
+    if inside.exists() and note.is_file() and note.read_text() == wanted:
+        return inside
+    python = python or suitable_python()
+    print(f"installing {', '.join(REQUIREMENTS)} in {folder}", flush=True)
+    log = folder.parent / f"{folder.name}.log"
+    run_or_stop([python, "-m", "venv", "--clear", folder], log)
+    run_or_stop([inside, "-m", "pip", "install", "--quiet", *REQUIREMENTS], log)
+    note.write_text(wanted)
+    return inside
+
+
+def machine() -> str:
+    model = platform.processor() or "unknown processor"
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+            break
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    used, all_of_them = len(processors()), os.cpu_count()
+    return (
+        f"{model}, {used} of {all_of_them} cores used, {memory:.0f} GiB, "
+        f"Linux {platform.release().split('-')[0]}"
+    )

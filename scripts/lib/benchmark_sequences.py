@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The drives of the benchmark: bags with their ground truths, given or simulated."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+from benchmark_process import run_or_stop
+
+SEED = 7
+# Name, arguments of `simulate`; about a kilometre each, 10 scans a second.
+SIMULATED: Tuple[Tuple[str, Tuple[str, ...]], ...] = (
+    ("kitti07", ("--world", "town", "--route", "{route}", "--sensor", "spinning-64")),
+    ("town", ("--world", "town", "--route", "loop", "--length", "1000", "--sensor", "spinning-64")),
+    (
+        "bridge",
+        ("--world", "bridge", "--route", "out-and-back", "--length", "1000")
+        + ("--sensor", "spinning-64"),
+    ),
+    (
+        "campus-rosette",
+        ("--world", "campus", "--route", "tour", "--length", "800", "--motion", "handheld")
+        + ("--sensor", "rosette"),
+    ),
+    (
+        "campus-narrow",
+        ("--world", "campus", "--route", "loop", "--length", "500", "--motion", "handheld")
+        + ("--sensor", "narrow"),
+    ),
+)
+
+
+class Sequence(NamedTuple):
+    """reference: TUM file of T_map_base, if there is one. origin: how the bag came about."""
+
+    name: str
+    bag: Path
+    reference: Optional[Path]
+    topic: Optional[str]
+    origin: str
+
+    def identity(self) -> List[Any]:
+        """What a result depends on."""
+        file = self.bag.stat()
+        return [self.name, file.st_size, file.st_mtime, self.topic]
+
+
+def reference_beside(bag: Path) -> Optional[Path]:
+    """DRIVE.gt.tum beside DRIVE.bag, as `simulate` writes it."""
+    reference = bag.with_suffix(".gt.tum")
+    return reference if reference.is_file() else None
+
+
+def given(text: str) -> Sequence:
+    """NAME=BAG or NAME=BAG,GROUND_TRUTH"""
+    name, _, files = text.partition("=")
+    bag, _, reference = files.partition(",")
+    if not name or not Path(bag).is_file():
+        raise SystemExit(f"error: --bag {text}: give NAME=BAG or NAME=BAG,GROUND_TRUTH.tum")
+    truth = Path(reference) if reference else reference_beside(Path(bag))
+    if truth and not truth.is_file():
+        raise SystemExit(f"error: --bag {text}: no file {truth}")
+    return Sequence(name, Path(bag), truth, None, "Given bag")
+
+
+def names(route: Optional[Path]) -> List[str]:
+    """Of the simulated drives; the one along a recorded route only if its file is given."""
+    return [name for name, words in SIMULATED if route or "{route}" not in words]
+
+
+def simulated(name: str, folder: Path, program: Path, route: Optional[Path]) -> Sequence:
+    """The bag is made unless the same command has made it before."""
+    words = [word.format(route=route) for word in dict(SIMULATED)[name]] + ["--seed", str(SEED)]
+    bag, note = folder / f"{name}.bag", folder / f"{name}.command"
+    command = " ".join(words)
+    if not (bag.is_file() and note.is_file() and note.read_text() == command):
+        print(f"{name}: simulating", flush=True)
+        folder.mkdir(parents=True, exist_ok=True)
+        note.unlink(missing_ok=True)
+        run_or_stop([program, "--out", bag, "--quiet", *words], folder / f"{name}.log")
+        note.write_text(command)
+    return Sequence(name, bag, reference_beside(bag), None, described(command, route))
+
+
+def described(command: str, route: Optional[Path]) -> str:
+    """Without the folder of this machine's route."""
+    return "simulate " + (command.replace(str(route), route.name) if route else command)
+
+
+def facts(sequence: Sequence) -> Dict[str, Any]:
+    """What `simulate` says of the drive: scans, points, length, revisits by kind in seconds."""
+    path = sequence.bag.with_suffix(".json")
+    if not path.is_file():
+        return {}
+    drive = json.loads(path.read_text())
+    revisits: Dict[str, float] = {}
+    for revisit in drive["revisits"]:
+        seconds = 1e-9 * (revisit["later"][1] - revisit["later"][0])
+        revisits[revisit["kind"]] = revisits.get(revisit["kind"], 0.0) + seconds
+    result = {key: drive[key] for key in ("scans", "points", "length")}
+    return {**result, "seconds": 1e-9 * (drive["end"] - drive["start"]), "revisits": revisits}
