@@ -66,11 +66,15 @@ class SlamRecorder : public SlamObserver {
   std::vector<MapCorrectionPtr> corrections;
 };
 
-/// RMSE of positions after rigid alignment, m.
-inline double errorOf(const Trajectory& trajectory, const std::vector<Pose>& truth) {
+/// RMSE of positions after rigid alignment, m. Of the scans from `first` on: starting from rest the
+/// odometry slips, which no loop can mend.
+inline double errorOf(const Trajectory& trajectory, const std::vector<Pose>& truth,
+                      std::size_t first) {
   TrajectoryMatch match;
-  match.estimate = match.reference = trajectory;
-  for (std::size_t i = 0; i < truth.size(); ++i) match.reference[i].T_world_base = truth[i];
+  for (std::size_t i = first; i < truth.size(); ++i) {
+    match.estimate.push_back(trajectory[i]);
+    match.reference.push_back({trajectory[i].stamp, truth[i]});
+  }
   return absoluteError(match).rmse;
 }
 
