@@ -16,9 +16,8 @@ Slam::Slam(const SlamConfig& config, SlamObserver& observer)
       background_(config.background),
       builder_(config.mapping, config.occupancy),
       loops_(config.loops, config.information),
-      back_end_(
-          config, [this](const MapCorrectionPtr& correction) { observer_.onCorrection(correction); },
-          [this](const std::vector<LoopProposal>& tried) { observer_.onRetroactive(tried); }),
+      back_end_(config,
+                [this](const MapCorrectionPtr& correction) { observer_.onCorrection(correction); }),
       arena_(config.background.threads),
       queue_(kMostWaiting, [this](const Work& item) { work(item); }, [] {}) {}
 

@@ -29,6 +29,21 @@ TEST(Odometry, FollowsADriveAlsoWhenScansAreDropped) {
   }
 }
 
+TEST(Odometry, StartingInMotionDeskewsTheSecondScanAsIfTheMotionHadBeenKnown) {
+  const Drive drive = driveInRoom(20);
+  Odometry warm(roomConfig()), cold(roomConfig());
+  OdometryResult expected;
+  for (const Scan& scan : drive.scans) expected = warm.registerScan(scan);
+  cold.registerScan(drive.scans[18]);
+  const OdometryResult second = cold.registerScan(drive.scans[19]);
+  const Points &a = second.scan->points_base, &b = expected.scan->points_base;
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_LT((a[i] - b[i]).norm(), 0.1f) << i;
+  EXPECT_LT(distanceBetween(second.scan->T_odom_base,
+                            drive.T_first_base[18].inverse() * drive.T_first_base[19]),
+            0.03);
+}
+
 TEST(Odometry, StartsWhereItIs) {
   const auto result = Odometry(roomConfig()).registerScan(driveInRoom(1).scans[0]);
   EXPECT_EQ(result.scan->registration.outcome, RegistrationOutcome::map_empty);

@@ -14,9 +14,8 @@ class SlamObserver {
 
   /// In the thread that inserts scans.
   virtual void onMaps(const MapUpdate&) {}
-  /// The next three in the background thread.
+  /// The next two in the background thread.
   virtual void onLoopSearch(const LoopSearchResult&) {}
-  virtual void onRetroactive(const std::vector<LoopProposal>&) {}
   virtual void onCorrection(const MapCorrectionPtr&) {}
 };
 
