@@ -46,7 +46,7 @@ void writeMaps(const std::string& folder, const std::vector<LocalMapPtr>& maps) 
 
 void run(const Options& options) {
   const SlamConfig config = readConfig(options);
-  const Trajectory truth = readTum(options.truth);
+  const PoseInterpolator truth(readTum(options.truth));
   const MappedDrive drive = mapDrive(options.bag, options.topic, config, options.quiet);
   const ClosedDrive closed = closeLoops(drive, config);
   const Judgement judgement =

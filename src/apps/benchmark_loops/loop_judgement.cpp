@@ -59,7 +59,7 @@ JudgedMap judgeMap(const MapClosure& closure, const std::vector<Stretch>& stretc
 /// Judges proposals, with the submaps of the drive by SubmapId.
 class ConstraintJudge {
  public:
-  ConstraintJudge(const MappedDrive& drive, const ClosedDrive& closed, const Trajectory& truth,
+  ConstraintJudge(const MappedDrive& drive, const ClosedDrive& closed, const PoseInterpolator& truth,
                   const LoopLimits& limits)
       : limits_(limits) {
     for (const LocalMapPtr& map : drive.maps)
@@ -93,7 +93,7 @@ class ConstraintJudge {
 
 }  // namespace
 
-Judgement judge(const MappedDrive& drive, const ClosedDrive& closed, const Trajectory& truth,
+Judgement judge(const MappedDrive& drive, const ClosedDrive& closed, const PoseInterpolator& truth,
                 std::size_t newest_excluded, const LoopLimits& limits) {
   Judgement judgement;
   std::vector<Stretch> stretches;

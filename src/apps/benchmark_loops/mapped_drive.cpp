@@ -3,7 +3,6 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "revisit_slam/io/progress.h"
@@ -23,22 +22,15 @@ Pose extrinsics(BagScans& bag, const std::string& base_frame) {
   throw BagError("the bag does not say where the sensor is on '" + base_frame + "'");
 }
 
-Pose poseAt(const Trajectory& truth, Stamp stamp) {
-  const auto earlier = [](const StampedPose& pose, Stamp instant) { return pose.stamp < instant; };
-  const auto after = std::lower_bound(truth.begin(), truth.end(), stamp, earlier);
-  if (after != truth.end() && after->stamp == stamp) return after->T_world_base;
-  if (after == truth.begin() || after == truth.end())
+Pose poseAt(const PoseInterpolator& truth, Stamp stamp) {
+  const PoseAnswer answer = truth.at(stamp);
+  if (!answer)
     throw std::runtime_error("the truth does not cover the scan at " + stampText(stamp));
-  const StampedPose& before = *(after - 1);
-  const double share =
-      secondsBetween(before.stamp, stamp) / secondsBetween(before.stamp, after->stamp);
-  const Pose &a = before.T_world_base, &b = after->T_world_base;
-  return {a.rotation.slerp(share, b.rotation),
-          (1.0 - share) * a.translation + share * b.translation};
+  return answer.T_world_base;
 }
 
 void append(Stretch& stretch, const Submap& submap, const Pose& T_map_submap,
-            const Trajectory& truth) {
+            const PoseInterpolator& truth) {
   for (std::size_t i = 0; i < submap.stamps.size(); ++i) {
     stretch.T_map_scan.push_back(T_map_submap * submap.T_submap_scan[i]);
     stretch.T_world_scan.push_back(poseAt(truth, submap.stamps[i]));
@@ -76,13 +68,13 @@ MappedDrive mapDrive(const std::string& path, const std::string& topic, const Sl
   return drive;
 }
 
-Stretch stretchOf(const Submap& submap, const Trajectory& truth) {
+Stretch stretchOf(const Submap& submap, const PoseInterpolator& truth) {
   Stretch stretch;
   append(stretch, submap, Pose::identity(), truth);
   return stretch;
 }
 
-Stretch stretchOf(const LocalMap& map, const Trajectory& truth) {
+Stretch stretchOf(const LocalMap& map, const PoseInterpolator& truth) {
   Stretch stretch;
   for (const SubmapPtr& submap : map.submaps)
     append(stretch, *submap, map.T_odom_local().inverse() * submap->T_odom_submap, truth);

@@ -6,7 +6,7 @@
 
 #include "revisit_slam/backend/graph_node.h"
 #include "revisit_slam/core/submap.h"
-#include "revisit_slam/io/trajectory.h"
+#include "revisit_slam/evaluation/pose_interpolator.h"
 #include "revisit_slam/loops/loop_labels.h"
 #include "revisit_slam/pipeline/slam_config.h"
 
@@ -25,7 +25,7 @@ MappedDrive mapDrive(const std::string& bag, const std::string& topic, const Sla
 
 /// With the truth for the base frame, interpolated at the stamps of scans.
 /// @throws std::runtime_error where the truth does not cover a scan.
-Stretch stretchOf(const Submap& submap, const Trajectory& truth);
-Stretch stretchOf(const LocalMap& map, const Trajectory& truth);
+Stretch stretchOf(const Submap& submap, const PoseInterpolator& truth);
+Stretch stretchOf(const LocalMap& map, const PoseInterpolator& truth);
 
 }  // namespace revisit_slam
