@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/mapping/normals.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 
 #include "revisit_slam/geometry/chunks.h"
+#include "revisit_slam/geometry/point_moments.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kChunkLength = 4096;
-constexpr std::size_t kFewestPoints = 5;
+constexpr float kFewestPoints = 5.0f;
 /// Standard deviations along the principal axes, smallest s0 to largest s2: a plane has s0 below
 /// this share of s1, and is not a line, where s1 is below the other share of s2.
 constexpr float kThickest = 0.35f;
@@ -21,28 +21,13 @@ constexpr float kNarrowest = 0.25f;
 const std::uint64_t kStepX = packVoxel(Voxel(1, 0, 0)) - packVoxel(Voxel(0, 0, 0));
 const std::uint64_t kStepY = packVoxel(Voxel(0, 1, 0)) - packVoxel(Voxel(0, 0, 0));
 
-struct Moments {
-  std::size_t count = 0;
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-
-  void add(const Eigen::Vector3f& d) {
-    ++count;
-    sum += d;
-    squares += d * d.transpose();
-  }
-
-  Eigen::Vector3f normal() const {
-    if (count < kFewestPoints) return Eigen::Vector3f::Zero();
-    const float n = static_cast<float>(count);
-    const Eigen::Matrix3f covariance = squares / n - (sum / n) * (sum / n).transpose();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-    solver.computeDirect(covariance);
-    const Eigen::Vector3f s = solver.eigenvalues().cwiseMax(0.0f).cwiseSqrt();
-    const bool planar = s[0] <= kThickest * s[1] && s[1] >= kNarrowest * s[2] && s[1] > 0.0f;
-    return planar ? Eigen::Vector3f(solver.eigenvectors().col(0)) : Eigen::Vector3f::Zero();
-  }
-};
+Eigen::Vector3f normalOf(const PointMoments& moments) {
+  if (moments.count < kFewestPoints) return Eigen::Vector3f::Zero();
+  const PrincipalAxes principal = moments.principalAxes();
+  const Eigen::Vector3f s = principal.variances.cwiseSqrt();
+  const bool planar = s[0] <= kThickest * s[1] && s[1] >= kNarrowest * s[2] && s[1] > 0.0f;
+  return planar ? Eigen::Vector3f(principal.axes.col(0)) : Eigen::Vector3f::Zero();
+}
 
 /// Goes through the ordered voxels and keeps nine places in the list along with it, one for each
 /// column of voxels around: all of them only move forward, so that no neighbour is searched for.
@@ -56,8 +41,8 @@ class Neighbourhood {
   }
 
   /// The points around voxel `index`, relative to its own; indices must ascend.
-  Moments moments(std::size_t index) {
-    Moments moments;
+  PointMoments moments(std::size_t index) {
+    PointMoments moments;
     for (std::size_t column = 0; column < cursors_.size(); ++column) {
       const std::uint64_t low = lowest(column, index);
       std::size_t& cursor = cursors_[column];
@@ -85,7 +70,7 @@ Points estimateNormals(const VoxelMeans& means) {
   Chunks(normals.size(), kChunkLength).forEach([&](std::size_t, Chunk chunk) {
     Neighbourhood around(means, chunk.begin);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Eigen::Vector3f normal = around.moments(i).normal();
+      const Eigen::Vector3f normal = normalOf(around.moments(i));
       normals[i] = normal.dot(means.points[i]) > 0.0f ? Eigen::Vector3f(-normal) : normal;
     }
   });

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/odometry/local_voxel_map.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "revisit_slam/geometry/chunks.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kVectorWidth = 4;
 constexpr std::size_t kLargestCapacity = 100;
+constexpr std::size_t kBlocksAtATime = 128;
 
 /// The 26 neighbours of a voxel: those that share a face first, then an edge, then a corner.
 std::array<Voxel, 26> makeNeighbourOffsets() {
@@ -83,13 +87,38 @@ void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
   const Eigen::Matrix3d R = T_odom_base.rotationMatrix();
   Voxel previous_voxel = Voxel::Constant(std::numeric_limits<int>::max());
   BlockIndex block = 0;
+  std::vector<BlockIndex> changed;
   for (const Eigen::Vector3f& point_base : points_base) {
     const Eigen::Vector3d point = R * point_base.cast<double>() + T_odom_base.translation;
     const Voxel voxel = voxelOf<double>(point / voxel_size_);
     if (voxel != previous_voxel) block = findOrCreateBlock(voxel);
     previous_voxel = voxel;
-    insertIntoBlock(block, (point - corner(block)).cast<float>());
+    if (insertIntoBlock(block, (point - corner(block)).cast<float>())) changed.push_back(block);
   }
+  lookAround(changed);
+}
+
+void LocalVoxelMap::lookAround(std::vector<BlockIndex>& changed) {
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  Chunks(changed.size(), kBlocksAtATime).forEach([&](std::size_t, Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+      surroundings_[changed[i]] = surroundingsOf(momentsAround(voxels_[changed[i]]),
+                                                 static_cast<float>(voxel_size_));
+  });
+}
+
+PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
+  PointMoments around;
+  const auto add = [&](const Voxel& offset) {
+    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
+    if (entry == block_of_.end()) return;
+    const Eigen::Vector3f shift = static_cast<float>(voxel_size_) * offset.cast<float>();
+    around.add(moments_[entry->second], shift);
+  };
+  add(Voxel::Zero());
+  for (const Voxel& offset : kNeighbourOffsets) add(offset);
+  return around;
 }
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
@@ -100,27 +129,33 @@ LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
     free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
     coordinates_.resize(coordinates_.size() + 3 * capacity_);
     voxels_.emplace_back();
+    moments_.emplace_back();
+    surroundings_.emplace_back();
     sizes_.push_back(0);
   }
   const BlockIndex block = free_blocks_.back();
   free_blocks_.pop_back();
   voxels_[block] = voxel;
+  moments_[block] = {};
+  surroundings_[block] = {};
   entry.value() = block;
   return block;
 }
 
-void LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
+bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
   const std::size_t size = sizes_[block];
-  if (size == max_points_) return;
+  if (size == max_points_) return false;
   float distances[kLargestCapacity];
   squaredDistances(coordinates(block), capacity_, size, point_voxel, distances);
   for (std::size_t i = 0; i < size; ++i)
-    if (distances[i] < min_spacing_squared_) return;
+    if (distances[i] < min_spacing_squared_) return false;
   float* x = &coordinates_[block * 3 * capacity_];
   x[size] = point_voxel.x();
   x[size + capacity_] = point_voxel.y();
   x[size + 2 * capacity_] = point_voxel.z();
   ++sizes_[block];
+  moments_[block].add(point_voxel);
+  return true;
 }
 
 void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distance) {
@@ -179,6 +214,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   const float* x = coordinates(best.block) + best.point;
   const Eigen::Vector3f in_voxel(x[0], x[capacity_], x[2 * capacity_]);
   neighbour.point_odom = corner(best.block) + in_voxel.cast<double>();
+  neighbour.surroundings = surroundings_[best.block];
   neighbour.distance = std::sqrt(best.best);
   neighbour.rival_distance = std::sqrt(std::min(best.second, unseen));
   return true;

@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <optional>
 
 #include "revisit_slam/geometry/chunks.h"
 #include "revisit_slam/geometry/se3.h"
@@ -15,23 +14,32 @@ constexpr std::size_t kChunkLength = 256;
 /// The bounds on distances are floats of values below 20 m.
 constexpr double kBoundMargin = 1e-5;
 
-/// Sums over correspondences of which the normal equations consist. With the residual
-/// r = R^T (T p - q) in the base frame, its Jacobian is [I, -skew(p)].
+/// Sums over correspondences of which the normal equations consist. The residual of a point is
+/// r = R^T (T p - q) in the base frame with the Jacobian [I, -skew(p)], that of a plane with the
+/// normal n in the base frame e = n^T r with [n; p x n]^T.
 struct Sums {
   double w = 0.0, r2 = 0.0;
   Eigen::Vector3d wp = Eigen::Vector3d::Zero(), wr = Eigen::Vector3d::Zero();
   Eigen::Vector3d wpxr = Eigen::Vector3d::Zero();
   Eigen::Matrix3d wpp = Eigen::Matrix3d::Zero();
+  Matrix6 plane_H = Matrix6::Zero();
+  Tangent plane_g = Tangent::Zero();
   std::size_t count = 0;
 
-  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& r, double squared, double weight) {
+  void addPoint(const Eigen::Vector3d& p, const Eigen::Vector3d& r, double weight) {
     w += weight;
-    r2 += squared;
     wp += weight * p;
     wr += weight * r;
     wpxr += weight * p.cross(r);
     wpp += (weight * p) * p.transpose();
-    ++count;
+  }
+
+  void addPlane(const Eigen::Vector3d& p, const Eigen::Vector3d& n, double e, double weight) {
+    Tangent J;
+    J << n, p.cross(n);
+    const Tangent weighted = weight * J;
+    plane_H.noalias() += weighted * J.transpose();
+    plane_g += e * weighted;
   }
 
   Sums& operator+=(const Sums& other) {
@@ -41,6 +49,8 @@ struct Sums {
     wr += other.wr;
     wpxr += other.wpxr;
     wpp += other.wpp;
+    plane_H += other.plane_H;
+    plane_g += other.plane_g;
     count += other.count;
     return *this;
   }
@@ -51,42 +61,68 @@ struct Sums {
         wpp.trace() * Eigen::Matrix3d::Identity() - wpp;
     Tangent g;
     g << wr, wpxr;
+    H += plane_H;
+    g += plane_g;
     return H.ldlt().solve(-g);
   }
 };
 
-/// Distance from a point to its nearest map point, looked up anew only where the cached one may no
-/// longer be the nearest; nothing where none is nearer than `max_distance`.
-std::optional<double> distanceToNearest(const Eigen::Vector3d& p_odom, const LocalVoxelMap& map,
-                                        double max_distance, CachedMatch& match) {
+/// Whether a map point is nearer than `max_distance`; the nearest is then in `match`. It is looked
+/// up anew only where the one found before may no longer be the nearest.
+bool isNearMap(const Eigen::Vector3d& p_odom, const LocalVoxelMap& map, double max_distance,
+               CachedMatch& match) {
   if (match.valid) {
     const double distance = (p_odom - match.neighbour.point_odom).norm();
     const double moved = (p_odom - match.searched_at).norm();
     if (distance + moved + kBoundMargin <= match.neighbour.rival_distance)
-      return distance < max_distance ? std::optional<double>(distance) : std::nullopt;
+      return distance < max_distance;
   }
   match.searched_at = p_odom;
   match.valid = map.nearest(p_odom, max_distance, match.neighbour);
-  if (!match.valid) return std::nullopt;
-  const double distance = (p_odom - match.neighbour.point_odom).norm();
-  return distance < max_distance ? std::optional<double>(distance) : std::nullopt;
+  return match.valid && (p_odom - match.neighbour.point_odom).norm() < max_distance;
+}
+
+double pointWeight(Spread spread, const RegistrationConfig& config) {
+  if (!config.planes) return 1.0;
+  return spread == Spread::sparse ? config.sparse_weight : config.scattered_weight;
+}
+
+/// Adds a point p with r = R^T (T p - q): as one of a plane, or as a point.
+void addMatch(const Eigen::Vector3d& p, const Eigen::Vector3d& r, const Eigen::Matrix3d& R,
+              const Surroundings& surroundings, double sigma, const RegistrationConfig& config,
+              Sums& sums) {
+  const auto robust = [sigma](double squared) {
+    const double root = sigma / (sigma + squared);
+    return root * root;
+  };
+  ++sums.count;
+  if (config.planes && surroundings.spread == Spread::planar) {
+    const Eigen::Vector3d n = R.transpose() * surroundings.normal.cast<double>();
+    const double e = n.dot(r), weight = robust(e * e);
+    sums.r2 += e * e;
+    sums.addPlane(p, n, e, weight);
+    sums.addPoint(p, r, config.within_plane_weight * weight);
+  } else {
+    const double squared = r.squaredNorm();
+    sums.r2 += squared;
+    sums.addPoint(p, r, pointWeight(surroundings.spread, config) * robust(squared));
+  }
 }
 
 /// The normal equations of one chunk of points at T_odom_base.
 Sums sumChunk(const Points& points_base, Chunk chunk, const LocalVoxelMap& map,
-              const Pose& T_odom_base, double sigma, std::vector<CachedMatch>& matches) {
+              const Pose& T_odom_base, double sigma, const RegistrationConfig& config,
+              std::vector<CachedMatch>& matches) {
   const Eigen::Matrix3d R = T_odom_base.rotationMatrix();
   const double max_distance = Registration::maxCorrespondenceDistance(sigma);
   Sums sums;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3d p = points_base[i].cast<double>();
     const Eigen::Vector3d p_odom = R * p + T_odom_base.translation;
-    const auto distance = distanceToNearest(p_odom, map, max_distance, matches[i]);
-    if (!distance) continue;
-    const double squared = *distance * *distance;
-    const double root_weight = sigma / (sigma + squared);
-    sums.add(p, R.transpose() * (p_odom - matches[i].neighbour.point_odom), squared,
-             root_weight * root_weight);
+    if (!isNearMap(p_odom, map, max_distance, matches[i])) continue;
+    const Neighbour& neighbour = matches[i].neighbour;
+    addMatch(p, R.transpose() * (p_odom - neighbour.point_odom), R, neighbour.surroundings, sigma,
+             config, sums);
   }
   return sums;
 }
@@ -115,7 +151,8 @@ RegistrationResult Registration::align(const Points& points_base, const LocalVox
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
     chunks.forEach([&](std::size_t index, Chunk chunk) {
-      chunk_sums[index] = sumChunk(points_base, chunk, map, result.T_odom_base, sigma, matches_);
+      chunk_sums[index] = sumChunk(points_base, chunk, map, result.T_odom_base, sigma,
+                                    config_, matches_);
     });
     Sums sums;
     for (const Sums& chunk : chunk_sums) sums += chunk;

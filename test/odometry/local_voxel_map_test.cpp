@@ -110,5 +110,43 @@ TEST(LocalVoxelMap, DropsVoxelsWhoseCentreIsTooFarAndUsesTheirPlaceAgain) {
   }
 }
 
+/// Of the points of the map in the voxel of `point` and around it.
+Surroundings surroundingsByRule(const Points& points, const Eigen::Vector3d& point) {
+  PointMoments around;
+  for (const Eigen::Vector3f& other : points)
+    if ((voxelIn(other.cast<double>(), 1.0) - voxelIn(point, 1.0)).cwiseAbs().maxCoeff() <= 1.0)
+      around.add(other - point.cast<float>());
+  return surroundingsOf(around, 1.0f);
+}
+
+TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
+  RandomNumbers random(7);
+  Points ground;
+  for (int i = 0; i < 6000; ++i)
+    ground.push_back({static_cast<float>(random.uniform(-8, 8)),
+                      static_cast<float>(random.uniform(-8, 8)),
+                      static_cast<float>(0.5 + random.gaussian(0.01))});
+  Points bush;
+  for (int i = 0; i < 3000; ++i)
+    bush.push_back((20.0 * Eigen::Vector3d::UnitX() + 1.5 * random.direction()).cast<float>());
+  LocalVoxelMap map({1.0, 20});
+  map.insert(ground, {});
+  map.insert(bush, {});
+  int planar = 0, scattered = 0;
+  for (const Eigen::Vector3d& query : {Eigen::Vector3d(0.3, 0.2, 0.6), Eigen::Vector3d(4, -3, 0.4),
+                                       Eigen::Vector3d(21.4, 0, 0), Eigen::Vector3d(20, 1, 1)}) {
+    Neighbour neighbour;
+    ASSERT_TRUE(map.nearest(query, 1.0, neighbour));
+    const Surroundings expected = surroundingsByRule(map.points(), neighbour.point_odom);
+    EXPECT_EQ(neighbour.surroundings.spread, expected.spread);
+    EXPECT_GE(std::abs(neighbour.surroundings.normal.dot(expected.normal)),
+              expected.normal.squaredNorm() - 1e-3f);
+    planar += expected.spread == Spread::planar;
+    scattered += expected.spread == Spread::scattered;
+  }
+  EXPECT_EQ(planar, 2);
+  EXPECT_EQ(scattered, 2);
+}
+
 }  // namespace
 }  // namespace revisit_slam

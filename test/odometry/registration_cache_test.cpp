@@ -26,9 +26,19 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
       const Eigen::Vector3d r = T.rotation.conjugate() * (p_odom - neighbour.point_odom);
       Eigen::Matrix<double, 3, 6> J;
       J << Eigen::Matrix3d::Identity(), -skew(p);
-      const double weight = std::pow(sigma / (sigma + r.squaredNorm()), 2);
-      H += weight * J.transpose() * J;
-      g += weight * J.transpose() * r;
+      Eigen::Matrix3d M = Eigen::Matrix3d::Identity();  // the cost of a point is r^T M r
+      double squared = r.squaredNorm();
+      const auto [spread, normal] = neighbour.surroundings;
+      if (config.planes && spread == Spread::sparse) M *= config.sparse_weight;
+      if (config.planes && spread == Spread::scattered) M *= config.scattered_weight;
+      if (config.planes && spread == Spread::planar) {
+        const Eigen::Vector3d n = T.rotation.conjugate() * normal.cast<double>();
+        M = n * n.transpose() + config.within_plane_weight * Eigen::Matrix3d::Identity();
+        squared = std::pow(n.dot(r), 2);
+      }
+      const double weight = std::pow(sigma / (sigma + squared), 2);
+      H += weight * J.transpose() * M * J;
+      g += weight * J.transpose() * M * r;
     }
     const Tangent step = H.ldlt().solve(-g);
     T = T * exp(step);
@@ -42,18 +52,23 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
 TEST(Registration, EqualsThePlainMethodWithoutItsCache) {
   const LocalVoxelMap map = mapOfRoom(0.02);
   RandomNumbers random(4);
-  Registration registration({});  // one for all: nothing stays from the run before
+  RegistrationConfig planes, points;
+  points.planes = false;
+  Registration with_planes(planes), with_points(points);  // nothing stays from the run before
   for (const double sigma : {0.1, 0.3, 2.0})
     for (int i = 0; i < 4; ++i) {
       const Pose truth = exp(random.tangent(1.0, 0.3));
       const Points seen = SyntheticRoom().sample(truth.translation, 1500, 0.02, random);
       const Pose initial = boxplus(truth, random.tangent(0.4, 0.04));
       const Points source = seenFrom(truth, seen);
-      const auto result = registration.align(source, map, initial, sigma);
-      const auto plain = alignPlainly(source, map, initial, sigma, {});
-      EXPECT_EQ(result.iterations, plain.iterations);
-      EXPECT_EQ(result.correspondences, plain.correspondences);
-      EXPECT_LT(distanceBetween(result.T_odom_base, plain.T_odom_base), 1e-9);
+      for (const auto& [registration, config] :
+           {std::pair{&with_planes, planes}, {&with_points, points}}) {
+        const auto result = registration->align(source, map, initial, sigma);
+        const auto plain = alignPlainly(source, map, initial, sigma, config);
+        EXPECT_EQ(result.iterations, plain.iterations);
+        EXPECT_EQ(result.correspondences, plain.correspondences);
+        EXPECT_LT(distanceBetween(result.T_odom_base, plain.T_odom_base), 1e-9);
+      }
     }
 }
 

@@ -10,19 +10,22 @@
 #include "revisit_slam/core/scan.h"
 #include "revisit_slam/geometry/voxel.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/surroundings.h"
 
 namespace revisit_slam {
 
-/// The map point nearest to a query, and how far its rivals are.
+/// The map point nearest to a query, what lies around it, and how far its rivals are.
 struct Neighbour {
   Eigen::Vector3d point_odom;
+  Surroundings surroundings;
   float distance;        ///< m, from the query to the point
   float rival_distance;  ///< m, lower bound of the distance from the query to any other point
 };
 
 /// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
 /// A point enters when its voxel has room and no point of that voxel is closer than
-/// voxel_size / sqrt(max_points_per_voxel). Points are kept relative to their voxel, so that float
+/// voxel_size / sqrt(max_points_per_voxel). What surrounds the points of a voxel is looked at
+/// whenever one enters it. Points are kept relative to their voxel, so that float
 /// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
 /// calls alone.
 class LocalVoxelMap {
@@ -34,6 +37,7 @@ class LocalVoxelMap {
   double voxelSize() const { return voxel_size_; }
   Points points(const Pose& T_target_odom = {}) const;
 
+  /// Runs in the current TBB arena; the same bits for any number of threads.
   void insert(const Points& points_base, const Pose& T_odom_base);
 
   /// Drops every voxel whose centre is farther than `distance` from `centre_odom`.
@@ -52,7 +56,10 @@ class LocalVoxelMap {
   using BlockIndex = std::uint32_t;
 
   BlockIndex findOrCreateBlock(const Voxel& voxel);
-  void insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
+  /// @return whether the point entered.
+  bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
+  void lookAround(std::vector<BlockIndex>& changed);
+  PointMoments momentsAround(const Voxel& voxel) const;
   const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
   Eigen::Vector3d corner(BlockIndex block) const { return voxel_size_ * voxels_[block].cast<double>(); }
 
@@ -64,6 +71,8 @@ class LocalVoxelMap {
   tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
   std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
   std::vector<Voxel> voxels_;
+  std::vector<PointMoments> moments_;  // from the voxel's corner
+  std::vector<Surroundings> surroundings_;
   std::vector<std::uint16_t> sizes_;  // 0: the block is free
   std::vector<BlockIndex> free_blocks_;
 };

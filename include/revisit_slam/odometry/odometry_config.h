@@ -21,6 +21,10 @@ struct RegistrationConfig {
   int max_iterations = 500;
   double convergence = 1e-4;
   int min_correspondences = 10;
+  bool planes = true;
+  double within_plane_weight = 0.001;
+  double scattered_weight = 0.3;
+  double sparse_weight = 0.02;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -29,6 +33,14 @@ struct RegistrationConfig {
       "ICP ends when its step [translation; rotation] is shorter");
     v("min_correspondences", min_correspondences, Range{6, 100000}, "",
       "with fewer matched points the pose is the prediction");
+    v("planes", planes,
+      "point to plane where the map points around lie in one; false: point to point everywhere");
+    v("within_plane_weight", within_plane_weight, Range{0.0, 1.0}, "",
+      "of the distance to a point within its plane, beside that to the plane");
+    v("scattered_weight", scattered_weight, Range{0.0, 1.0}, "",
+      "of points with others around in all directions");
+    v("sparse_weight", sparse_weight, Range{0.0, 1.0}, "",
+      "of points with few others around, or along one line, such as a ring of the sensor");
   }
 };
 

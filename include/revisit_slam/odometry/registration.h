@@ -24,7 +24,7 @@ struct RegistrationResult {
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;
-  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate
+  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
 };
 
 /// The neighbour found for a point, and where the point was then: while the point has moved less than
@@ -35,9 +35,18 @@ struct CachedMatch {
   bool valid;
 };
 
-/// Point-to-point ICP of a scan to the local map: minimises the sum of
-/// w(r) |T_odom_base p_i - q_i|^2 (paper Eq. 1-2) over right perturbations T * Exp(d), with
-/// w(r) = (sigma / (sigma + r^2))^2 and correspondences nearer than 3 sigma (KISS-ICP Sec. III-C).
+/// ICP of a scan to the local map (paper Eq. 1-2; KISS-ICP Sec. III-C) over right perturbations
+/// T * Exp(d), from correspondences nearer than 3 sigma. Minimised is
+///
+///   sum_i w(|r_i|^2) a_i |r_i|^2,  r_i = T_odom_base p_i - q_i,  w(s) = (sigma / (sigma + s))^2,
+///
+/// and where the map points around q_i lie in a plane with the normal n_i, instead
+///
+///   sum_i w(e_i^2) (e_i^2 + b |r_i|^2),  e_i = n_i^T r_i.
+///
+/// a_i is small where the map points around are few or along one line. The rings that a sensor
+/// draws on the ground and on walls move along with it; taken as points they hold the estimate back
+/// and turn it (docs/odometry.md). With `planes` off a_i is 1 and all is point to point.
 class Registration {
  public:
   explicit Registration(const RegistrationConfig& config) : config_(config) {}
