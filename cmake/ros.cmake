@@ -41,6 +41,7 @@ revisit_slam_program(benchmark_information)
 revisit_slam_program(convert_dataset)
 revisit_slam_program(evaluate)
 revisit_slam_program(benchmark_loops)
+revisit_slam_program(benchmark_places)
 
 install(TARGETS revisit_slam_nodelets LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 install(DIRECTORY include/revisit_slam/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
@@ -49,5 +50,5 @@ install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
-        scripts/benchmark
+        scripts/benchmark scripts/compare_graphs
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

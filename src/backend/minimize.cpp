@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/backend/minimize.h"
 
+#include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
@@ -20,6 +21,26 @@ constexpr double kInitialTrustRegion = 1e12;
 
 /// From there to heavy damping while the steps are useless (each divides by 2, 4, 8, …).
 constexpr int kMaxInvalidSteps = 15;
+
+/// Ceres' own test comes into play where no step succeeds any more.
+constexpr double kRestOfTolerance = 1e-4;
+
+/// Ends after a step that lowered the cost by a smaller share than the tolerance. The test that Ceres
+/// makes itself comes before such a step is taken, and throws it away with the work it took.
+class EndAfterSmallStep : public ceres::IterationCallback {
+ public:
+  explicit EndAfterSmallStep(double tolerance) : tolerance_(tolerance) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    const bool small = step.cost_change <= tolerance_ * step.cost;
+    return step.iteration > 0 && step.step_is_successful && small
+               ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+               : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  double tolerance_;
+};
 
 ceres::Problem::Options problemOptions() {
   ceres::Problem::Options options;
@@ -78,7 +99,7 @@ ceres::Solver::Options solverOptions(const MinimizeLimits& limits) {
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = limits.max_iterations;
-  options.function_tolerance = limits.function_tolerance;
+  options.function_tolerance = kRestOfTolerance * limits.function_tolerance;
   options.parameter_tolerance = 1e-12;  // of the length of all poses together
   options.initial_trust_region_radius = kInitialTrustRegion;
   options.max_num_consecutive_invalid_steps = kMaxInvalidSteps;
@@ -86,7 +107,9 @@ ceres::Solver::Options solverOptions(const MinimizeLimits& limits) {
 }
 
 Minimization outcomeOf(const ceres::Solver::Summary& summary) {
-  if (summary.termination_type == ceres::CONVERGENCE) return Minimization::converged;
+  if (summary.termination_type == ceres::CONVERGENCE ||
+      summary.termination_type == ceres::USER_SUCCESS)
+    return Minimization::converged;
   if (summary.termination_type == ceres::NO_CONVERGENCE) return Minimization::max_iterations;
   return Minimization::failed;
 }
@@ -102,7 +125,10 @@ bool areFinite(const std::vector<Pose>& poses) {
 Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start, const RobustKernel& kernel,
                  const MinimizeLimits& limits) {
   GraphProblem problem(graph, start, kernel);
-  const ceres::Solver::Summary summary = problem.solve(solverOptions(limits));
+  EndAfterSmallStep end_after_small_step(limits.function_tolerance);
+  ceres::Solver::Options options = solverOptions(limits);
+  options.callbacks.push_back(&end_after_small_step);
+  const ceres::Solver::Summary summary = problem.solve(options);
   Minimum minimum{outcomeOf(summary), problem.poses(),
                   std::max(0, static_cast<int>(summary.iterations.size()) - 1)};
   if (minimum.outcome == Minimization::failed || !areFinite(minimum.poses))

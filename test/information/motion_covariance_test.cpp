@@ -17,7 +17,7 @@ Matrix6 correlated() {
 TEST(MotionCovariance, ScalesTheInverseByTheResiduals) {
   InformationConfig config;
   config.calibration = 3.0;
-  config.deskew_share = 0.0;
+  config.deskew_share = config.deskew_share_rotation = 0.0;
   InformationEstimate estimate;
   estimate.information = correlated();
   estimate.mean_squared_residual = 0.5;
@@ -28,10 +28,13 @@ TEST(MotionCovariance, ScalesTheInverseByTheResiduals) {
 TEST(MotionCovariance, GrowsWithTheErrorsOfThePrediction) {
   InformationConfig config;
   config.deskew_share = 0.5;
+  config.deskew_share_rotation = 0.25;
   MotionCovariance covariance(config);
   const InformationEstimate estimate;  // no residuals: the registration's part is zero
-  for (int i = 0; i < 200; ++i) covariance.observe(Tangent::Constant(0.2));
-  EXPECT_LT((covariance.of(estimate) - 0.01 * Matrix6::Identity()).norm(), 1e-6);
+  for (int i = 0; i < 200; ++i) covariance.observe(Tangent::Constant(i % 2 == 0 ? 0.2 : -0.2));
+  Tangent variances;
+  variances << 0.01, 0.01, 0.01, 0.0025, 0.0025, 0.0025;
+  EXPECT_LT((covariance.of(estimate) - Matrix6(variances.asDiagonal())).norm(), 1e-6);
 }
 
 /// Against a sample of perturbed chains of poses.

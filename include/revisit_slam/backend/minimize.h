@@ -10,7 +10,7 @@ namespace revisit_slam {
 
 struct MinimizeLimits {
   int max_iterations = 100;
-  double function_tolerance = 1e-7;  ///< ends when a step lowers the cost by a smaller share
+  double function_tolerance = 1e-6;  ///< ends after a step that lowers the cost by a smaller share
 };
 
 enum class Minimization { converged, max_iterations, failed };

@@ -10,7 +10,7 @@ namespace revisit_slam {
 /// Optimisation of the pose graph (paper Sec. III-D).
 struct SolverConfig {
   int max_iterations = 100;
-  double function_tolerance = 1e-7;
+  double function_tolerance = 1e-6;
   int threads = 2;
   std::string kernel = "cauchy";
   double kernel_scale = 5.0;
@@ -19,7 +19,7 @@ struct SolverConfig {
   void visit(Visitor& v) {
     v("max_iterations", max_iterations, Range{1, 10000}, "", "steps of the optimiser at most");
     v("function_tolerance", function_tolerance, Range{1e-15, 1e-1}, "",
-      "it ends when a step lowers the cost by a smaller share");
+      "it ends after a step that lowers the cost by a smaller share");
     v("threads", threads, Range{1, 64}, "",
       "threads of the optimiser; results do not depend on it");
     v("kernel", kernel, Choices{"none", "huber", "cauchy", "geman_mcclure"}, "",

@@ -10,14 +10,15 @@ namespace revisit_slam {
 
 /// Covariance of the motion from one scan to the next, for right perturbations in the base frame:
 ///
-///   Sigma = s * Lambda^-1 + k^2 * diag(E[u^2])
+///   Sigma = s * Lambda^-1 + diag((k * E|u|)^2)
 ///
 /// The first term is that of the registration: the information has the unit of the objective, and
 /// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the mean
 /// squared residual at the solution. The second term is that of deskewing: what the constant-velocity
 /// prediction missed of a motion, u, bent the scan by as much from its first point to its last, and
-/// moves its pose by a share k of it, whatever the geometry. E[u^2] is a running mean.
-/// Both factors were measured against ground truth (docs/information.md).
+/// moves its pose by a share k of it, whatever the geometry. E|u| is a running mean for each axis;
+/// that of squares would be ruled by the rare scans in which the robot turns or brakes. The factors
+/// were measured against ground truth (docs/information.md).
 class MotionCovariance {
  public:
   explicit MotionCovariance(const InformationConfig& config) { reconfigure(config); }
@@ -31,8 +32,8 @@ class MotionCovariance {
 
  private:
   double calibration_;
-  double deskew_share_;
-  Tangent mean_squared_prediction_error_ = Tangent::Zero();
+  Tangent deskew_share_;
+  Tangent mean_prediction_error_ = Tangent::Zero();
 };
 
 /// Covariance of the pose in the odometry frame, as it grows with every motion: right perturbations
