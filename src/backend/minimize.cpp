@@ -22,8 +22,10 @@ constexpr double kInitialTrustRegion = 1e12;
 /// From there to heavy damping while the steps are useless (each divides by 2, 4, 8, …).
 constexpr int kMaxInvalidSteps = 15;
 
-/// Ceres' own test comes into play where no step succeeds any more.
-constexpr double kRestOfTolerance = 1e-4;
+/// Ceres' own test, in parts of the tolerance: for where no step succeeds any more, as the cost
+/// changes by round-off alone.
+constexpr double kRestOfTolerance = 1e-2;
+constexpr double kRoundOff = 1e-12;
 
 /// Ends after a step that lowered the cost by a smaller share than the tolerance. The test that Ceres
 /// makes itself comes before such a step is taken, and throws it away with the work it took.
@@ -99,7 +101,8 @@ ceres::Solver::Options solverOptions(const MinimizeLimits& limits) {
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = limits.max_iterations;
-  options.function_tolerance = kRestOfTolerance * limits.function_tolerance;
+  options.function_tolerance =
+      std::max(kRestOfTolerance * limits.function_tolerance, kRoundOff);
   options.parameter_tolerance = 1e-12;  // of the length of all poses together
   options.initial_trust_region_radius = kInitialTrustRegion;
   options.max_num_consecutive_invalid_steps = kMaxInvalidSteps;

@@ -73,7 +73,7 @@ TEST(ParameterFile, JsonHasTheValuesInForceWithTheirTypes) {
   EXPECT_EQ(json["map"]["voxel_size"], 0.3);
   EXPECT_EQ(json["deskew"], true);
   EXPECT_TRUE(json["threads"].is_number_integer());
-  EXPECT_EQ(json["registration"].size(), 3u);
+  EXPECT_EQ(json["threshold"].size(), 2u);
   EXPECT_EQ(toJson({}), nlohmann::json::object());
 }
 
