@@ -10,6 +10,20 @@ constexpr double kDegrees = 180.0 / M_PI;
 /// A pair that no other pair confirms may turn from its guess by this part of the limit only.
 constexpr double kUnconfirmedRotation = 1.0 / 3.0;
 
+/// The graph has taken the drift out of where it placed submaps: registrations that start from there
+/// may not differ by it once more.
+AgreementConfig agreementFor(LoopOrigin origin, AgreementConfig config) {
+  if (origin == LoopOrigin::retroactive) config.translation_drift = config.rotation_drift = 0.0;
+  return config;
+}
+
+/// Where no other registration confirms it: turned far, or moved from where the graph has it.
+bool isFarForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& config) {
+  if (proposal.moved_rotation > kUnconfirmedRotation * config.max_rotation) return true;
+  return proposal.loop.origin == LoopOrigin::retroactive &&
+         proposal.moved_translation > config.agreement.translation;
+}
+
 /// Submaps made ready for registration, each once, for the pairs of one closure.
 class PreparedClouds {
  public:
@@ -146,12 +160,14 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
         {targets[pairs[i].target].T_common_submap, sources[pairs[i].source].T_common_submap,
          proposals[i].registration.T_target_source, proposals[i].registration.fitness});
   }
-  if (candidates.size() == 1 &&
-      proposals[candidates[0]].moved_rotation > kUnconfirmedRotation * config_.max_rotation) {
-    proposals[candidates[0]].outcome = LoopOutcome::far_from_guess;
+  if (candidates.size() == 1) {
+    LoopProposal& alone = proposals[candidates[0]];
+    if (isFarForOneAlone(alone, config_)) alone.outcome = LoopOutcome::far_from_guess;
     return;
   }
-  const std::vector<bool> belongs = majority(registered, config_.agreement);
+  if (candidates.empty()) return;
+  const LoopOrigin origin = proposals[candidates[0]].loop.origin;
+  const std::vector<bool> belongs = majority(registered, agreementFor(origin, config_.agreement));
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (!belongs[i]) proposals[candidates[i]].outcome = LoopOutcome::disagreement;
 }

@@ -68,6 +68,20 @@ TEST_F(LoopCloserTest, APairThatNoOtherConfirmsMayTurnLess) {
   EXPECT_LT(alone[0].moved_rotation, LoopCloserConfig().max_rotation);
 }
 
+TEST_F(LoopCloserTest, WhereTheGraphPlacedThemRegistrationsMayNotDifferByDrift) {
+  auto sources = placeByOdometry(*source_, T_target_source_);
+  const auto targets = placeByOdometry(*target_, Pose::identity());
+  sources.front().T_common_submap.translation.x() += 0.6;  // one is pulled along by something else
+  const auto outcomeOfFirst = [&](const std::vector<PlacedSubmap>& placed, LoopOrigin origin) {
+    return LoopCloser({}, {}).close(placed, targets, origin).front().outcome;
+  };
+  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::appearance), LoopOutcome::accepted);
+  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::retroactive), LoopOutcome::disagreement);
+  const std::vector<PlacedSubmap> alone{sources.front()};
+  EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::appearance), LoopOutcome::accepted);
+  EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::retroactive), LoopOutcome::far_from_guess);
+}
+
 TEST_F(LoopCloserTest, DoesNotDependOnThreads) {
   std::vector<LoopProposal> one, four;
   tbb::task_arena(1).execute([&] { one = close(*source_, error_); });
