@@ -13,20 +13,21 @@ constexpr double kNewest = 0.1;
 }  // namespace
 
 void MotionCovariance::observe(const Tangent& prediction_error) {
-  mean_prediction_error_ += kNewest * (prediction_error.cwiseAbs() - mean_prediction_error_);
+  const Tangent change = prediction_error - prediction_error_;
+  mean_change_ += kNewest * (change.cwiseAbs() - mean_change_);
+  prediction_error_ = prediction_error;
 }
 
 Matrix6 MotionCovariance::of(const InformationEstimate& estimate) const {
   const double scale = 2.0 * estimate.mean_squared_residual * calibration_;
   Matrix6 covariance = scale * estimate.information.inverse();
-  covariance.diagonal() += deskew_share_.cwiseProduct(mean_prediction_error_).cwiseAbs2();
+  covariance.diagonal() += (deskew_share_ * mean_change_).cwiseAbs2();
   return covariance;
 }
 
 void MotionCovariance::reconfigure(const InformationConfig& config) {
   calibration_ = config.calibration;
-  deskew_share_.head<3>().setConstant(config.deskew_share);
-  deskew_share_.tail<3>().setConstant(config.deskew_share_rotation);
+  deskew_share_ = config.deskew_share;
 }
 
 void PoseCovariance::move(const Pose& T_previous_current, const Matrix6& covariance_motion) {

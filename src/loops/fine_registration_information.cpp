@@ -8,7 +8,8 @@
 namespace revisit_slam {
 namespace {
 
-constexpr int kPointsPerVoxel = 100;
+/// Room for a patch across a voxel of the estimator's map, and more.
+constexpr int kPointsPerVoxel = 50;
 /// Points along each side of a patch: their spacing is to be less than the samples' range.
 constexpr int kPatchSide = 4;
 
@@ -59,7 +60,7 @@ Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
                                   const Pose& T_target_source) const {
   if (!enabled_) return Matrix6::Identity();
   const double tau = config_.information_distance;
-  LocalVoxelMap map({tau, kPointsPerVoxel});
+  LocalVoxelMap map({tau, kPointsPerVoxel}, false);
   map.insert(surfaces(target, config_.fitness_distance), Pose::identity());
   Points thinned;
   VoxelFilter().filter(source.points, config_.information_voxel_size, thinned);

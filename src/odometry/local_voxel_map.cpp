@@ -63,8 +63,9 @@ struct BestTwo {
 
 }  // namespace
 
-LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config)
+LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings)
     : voxel_size_(config.voxel_size),
+      knows_surroundings_(surroundings),
       max_points_(static_cast<std::size_t>(config.max_points_per_voxel)),
       capacity_((max_points_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth),
       min_spacing_squared_(
@@ -93,7 +94,10 @@ void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
     const Voxel voxel = voxelOf<double>(point / voxel_size_);
     if (voxel != previous_voxel) block = findOrCreateBlock(voxel);
     previous_voxel = voxel;
-    if (insertIntoBlock(block, (point - corner(block)).cast<float>())) changed.push_back(block);
+    const Eigen::Vector3f in_voxel = (point - corner(block)).cast<float>();
+    if (!insertIntoBlock(block, in_voxel) || !knows_surroundings_) continue;
+    moments_[block].add(in_voxel);
+    changed.push_back(block);
   }
   lookAround(changed);
 }
@@ -129,15 +133,17 @@ LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
     free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
     coordinates_.resize(coordinates_.size() + 3 * capacity_);
     voxels_.emplace_back();
-    moments_.emplace_back();
-    surroundings_.emplace_back();
+    moments_.resize(knows_surroundings_ ? voxels_.size() : 0);
+    surroundings_.resize(moments_.size());
     sizes_.push_back(0);
   }
   const BlockIndex block = free_blocks_.back();
   free_blocks_.pop_back();
   voxels_[block] = voxel;
-  moments_[block] = {};
-  surroundings_[block] = {};
+  if (knows_surroundings_) {
+    moments_[block] = {};
+    surroundings_[block] = {};
+  }
   entry.value() = block;
   return block;
 }
@@ -154,7 +160,6 @@ bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& poi
   x[size + capacity_] = point_voxel.y();
   x[size + 2 * capacity_] = point_voxel.z();
   ++sizes_[block];
-  moments_[block].add(point_voxel);
   return true;
 }
 
@@ -214,7 +219,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   const float* x = coordinates(best.block) + best.point;
   const Eigen::Vector3f in_voxel(x[0], x[capacity_], x[2 * capacity_]);
   neighbour.point_odom = corner(best.block) + in_voxel.cast<double>();
-  neighbour.surroundings = surroundings_[best.block];
+  neighbour.surroundings = knows_surroundings_ ? surroundings_[best.block] : Surroundings{};
   neighbour.distance = std::sqrt(best.best);
   neighbour.rival_distance = std::sqrt(std::min(best.second, unseen));
   return true;

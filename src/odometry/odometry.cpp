@@ -27,7 +27,7 @@ Odometry::Odometry(const OdometryConfig& config, BeforeInsertion before_insertio
     : config_(config),
       before_insertion_(std::move(before_insertion)),
       arena_(config.threads),
-      map_(config.map),
+      map_(config.map, config.registration.planes),
       registration_(config.registration),
       threshold_(config.threshold, config.max_range) {}
 
@@ -111,7 +111,7 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   first_again.points_base = preprocess(*first, motion, config_).points_base;
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(first_again);
-  map_ = LocalVoxelMap(config_.map);
+  map_ = LocalVoxelMap(config_.map, config_.registration.planes);
   map_.insert(map_points_base_, Pose::identity());
   downsample(registered);
   registered.registration = registration_.align(registered.source_base, map_,

@@ -2,6 +2,7 @@
 #include "revisit_slam/odometry/registration.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "revisit_slam/geometry/chunks.h"
@@ -82,9 +83,11 @@ bool isNearMap(const Eigen::Vector3d& p_odom, const LocalVoxelMap& map, double m
   return match.valid && (p_odom - match.neighbour.point_odom).norm() < max_distance;
 }
 
-double pointWeight(Spread spread, const RegistrationConfig& config) {
+/// The denser the map, the less the nearest point depends on where rays fell.
+double pointWeight(const Surroundings& around, const RegistrationConfig& config) {
   if (!config.planes) return 1.0;
-  return spread == Spread::sparse ? config.sparse_weight : config.scattered_weight;
+  if (around.spread == Spread::sparse) return config.sparse_weight;
+  return std::min(1.0, static_cast<double>(around.points) / config.scattered_points);
 }
 
 /// Adds a point p with r = R^T (T p - q): as one of a plane, or as a point.
@@ -105,7 +108,7 @@ void addMatch(const Eigen::Vector3d& p, const Eigen::Vector3d& r, const Eigen::M
   } else {
     const double squared = r.squaredNorm();
     sums.r2 += squared;
-    sums.addPoint(p, r, pointWeight(surroundings.spread, config) * robust(squared));
+    sums.addPoint(p, r, pointWeight(surroundings, config) * robust(squared));
   }
 }
 

@@ -17,14 +17,16 @@ constexpr float kUpright = 0.8f;
 }  // namespace
 
 Surroundings surroundingsOf(const PointMoments& around, float edge) {
-  if (around.count < kFewestPoints) return {};
+  const float points = around.count;
+  if (points < kFewestPoints) return {Spread::sparse, Eigen::Vector3f::Zero(), points};
   const PrincipalAxes principal = around.principalAxes();
   const float least = principal.variances[0], middle = principal.variances[1];
   const bool line = middle < kNarrowest * edge * edge;
   const bool upright = std::abs(principal.axes(2, 2)) > kUpright;
-  if (line && !upright) return {};
-  if (line || least > kThickest * middle) return {Spread::scattered, Eigen::Vector3f::Zero()};
-  return {Spread::planar, principal.axes.col(0)};
+  if (line && !upright) return {Spread::sparse, Eigen::Vector3f::Zero(), points};
+  if (line || least > kThickest * middle)
+    return {Spread::scattered, Eigen::Vector3f::Zero(), points};
+  return {Spread::planar, principal.axes.col(0), points};
 }
 
 }  // namespace revisit_slam

@@ -139,6 +139,7 @@ TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
     ASSERT_TRUE(map.nearest(query, 1.0, neighbour));
     const Surroundings expected = surroundingsByRule(map.points(), neighbour.point_odom);
     EXPECT_EQ(neighbour.surroundings.spread, expected.spread);
+    EXPECT_EQ(neighbour.surroundings.points, expected.points);
     EXPECT_GE(std::abs(neighbour.surroundings.normal.dot(expected.normal)),
               expected.normal.squaredNorm() - 1e-3f);
     planar += expected.spread == Spread::planar;
@@ -146,6 +147,20 @@ TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
   }
   EXPECT_EQ(planar, 2);
   EXPECT_EQ(scattered, 2);
+}
+
+TEST(LocalVoxelMap, HoldsTheSamePointsWithoutTheirSurroundings) {
+  RandomNumbers random(8);
+  LocalVoxelMap with({1.0, 20}), without({1.0, 20}, false);
+  const Points points = random.cloud(5000, 8.0);
+  with.insert(points, {});
+  without.insert(points, {});
+  EXPECT_EQ(with.points(), without.points());
+  Neighbour neighbour;
+  ASSERT_TRUE(without.nearest(points[0].cast<double>(), 1.0, neighbour));
+  EXPECT_EQ(neighbour.surroundings.points, 0.0f);
+  ASSERT_TRUE(with.nearest(points[0].cast<double>(), 1.0, neighbour));
+  EXPECT_GT(neighbour.surroundings.points, 0.0f);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "revisit_slam/odometry/registration.h"
 #include "support/room_map.h"
@@ -28,9 +29,10 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
       J << Eigen::Matrix3d::Identity(), -skew(p);
       Eigen::Matrix3d M = Eigen::Matrix3d::Identity();  // the cost of a point is r^T M r
       double squared = r.squaredNorm();
-      const auto [spread, normal] = neighbour.surroundings;
+      const auto& [spread, normal, around] = neighbour.surroundings;
       if (config.planes && spread == Spread::sparse) M *= config.sparse_weight;
-      if (config.planes && spread == Spread::scattered) M *= config.scattered_weight;
+      if (config.planes && spread == Spread::scattered) 
+        M *= std::min(1.0, around / config.scattered_points);
       if (config.planes && spread == Spread::planar) {
         const Eigen::Vector3d n = T.rotation.conjugate() * normal.cast<double>();
         M = n * n.transpose() + config.within_plane_weight * Eigen::Matrix3d::Identity();

@@ -71,6 +71,7 @@ TEST(Surroundings, FewPointsAreSparseAndABushIsScattered) {
   for (int i = 0; i < 60; ++i) points.push_back(random.direction().cast<float>());
   EXPECT_EQ(of(points).spread, Spread::scattered);
   EXPECT_TRUE(of(points).normal.isZero());
+  EXPECT_EQ(of(points).points, 65.0f);
 }
 
 TEST(PointMoments, AreThoseOfTheSamePointsFromAnotherOrigin) {

@@ -10,15 +10,16 @@ namespace revisit_slam {
 
 /// Covariance of the motion from one scan to the next, for right perturbations in the base frame:
 ///
-///   Sigma = s * Lambda^-1 + diag((k * E|u|)^2)
+///   Sigma = s * Lambda^-1 + diag((k * E|u - u_before|)^2)
 ///
 /// The first term is that of the registration: the information has the unit of the objective, and
 /// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the mean
 /// squared residual at the solution. The second term is that of deskewing: what the constant-velocity
 /// prediction missed of a motion, u, bent the scan by as much from its first point to its last, and
-/// moves its pose by a share k of it, whatever the geometry. E|u| is a running mean for each axis;
-/// that of squares would be ruled by the rare scans in which the robot turns or brakes. The factors
-/// were measured against ground truth (docs/information.md).
+/// moves its pose by a share k of it, whatever the geometry. Under constant acceleration it moves all
+/// poses alike and leaves the motions right; what counts is how u changes from scan to scan. E is a
+/// running mean for each axis; that of squares would be ruled by few scans. The factors were measured
+/// against ground truth (docs/information.md).
 class MotionCovariance {
  public:
   explicit MotionCovariance(const InformationConfig& config) { reconfigure(config); }
@@ -32,8 +33,9 @@ class MotionCovariance {
 
  private:
   double calibration_;
-  Tangent deskew_share_;
-  Tangent mean_prediction_error_ = Tangent::Zero();
+  double deskew_share_;
+  Tangent prediction_error_ = Tangent::Zero();  // of the scan before
+  Tangent mean_change_ = Tangent::Zero();
 };
 
 /// Covariance of the pose in the odometry frame, as it grows with every motion: right perturbations

@@ -30,7 +30,8 @@ struct Neighbour {
 /// calls alone.
 class LocalVoxelMap {
  public:
-  explicit LocalVoxelMap(const LocalVoxelMapConfig& config);
+  /// `surroundings`: false leaves out those of neighbours, which are then sparse without points.
+  explicit LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings = true);
 
   bool empty() const { return block_of_.empty(); }
   std::size_t voxels() const { return block_of_.size(); }
@@ -64,6 +65,7 @@ class LocalVoxelMap {
   Eigen::Vector3d corner(BlockIndex block) const { return voxel_size_ * voxels_[block].cast<double>(); }
 
   double voxel_size_;
+  bool knows_surroundings_;
   std::size_t max_points_;
   std::size_t capacity_;  // max_points_ rounded up for whole vector registers
   float min_spacing_squared_;
@@ -71,8 +73,8 @@ class LocalVoxelMap {
   tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
   std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
   std::vector<Voxel> voxels_;
-  std::vector<PointMoments> moments_;  // from the voxel's corner
-  std::vector<Surroundings> surroundings_;
+  std::vector<PointMoments> moments_;       // from the voxel's corner; empty if not known
+  std::vector<Surroundings> surroundings_;  // empty if not known
   std::vector<std::uint16_t> sizes_;  // 0: the block is free
   std::vector<BlockIndex> free_blocks_;
 };

@@ -23,7 +23,7 @@ struct RegistrationConfig {
   int min_correspondences = 10;
   bool planes = true;
   double within_plane_weight = 0.001;
-  double scattered_weight = 0.3;
+  double scattered_points = 150.0;
   double sparse_weight = 0.02;
 
   template <typename Visitor>
@@ -37,8 +37,9 @@ struct RegistrationConfig {
       "point to plane where the map points around lie in one; false: point to point everywhere");
     v("within_plane_weight", within_plane_weight, Range{0.0, 1.0}, "",
       "of the distance to a point within its plane, beside that to the plane");
-    v("scattered_weight", scattered_weight, Range{0.0, 1.0}, "",
-      "of points with others around in all directions");
+    v("scattered_points", scattered_points, Range{1.0, 1e6}, "",
+      "map points in the 27 voxels around, in all directions, with which a match weighs 1; with "
+      "fewer it weighs less in proportion");
     v("sparse_weight", sparse_weight, Range{0.0, 1.0}, "",
       "of points with few others around, or along one line, such as a ring of the sensor");
   }
