@@ -30,9 +30,12 @@ revisit_slam_target_options(revisit_slam_core)
 target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
 target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
 target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")
+# The BLAS that is found first factorises. Debian's Ceres brings ATLAS; the system's choice, OpenBLAS where
+# it is installed, comes before it and is faster. As one flag, as CMake moves libraries.
+set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
-  PRIVATE opencv_imgproc opencv_features2d ${CERES_LIBRARIES} ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
+  PRIVATE ${SYSTEM_BLAS} opencv_imgproc opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
 
 file(GLOB simulation_sources CONFIGURE_DEPENDS src/simulation/*.cpp)
 add_library(revisit_slam_simulation STATIC ${simulation_sources})

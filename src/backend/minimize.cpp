@@ -4,6 +4,7 @@
 #include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
+#include <omp.h>
 
 #include <algorithm>
 
@@ -44,6 +45,20 @@ class EndAfterSmallStep : public ceres::IterationCallback {
   double tolerance_;
 };
 
+/// CHOLMOD assembles its supernodes with four OpenMP threads, however few processors there are and
+/// whatever Ceres is told: on two they wait for each other for a third of the time, and take the
+/// processors from the odometry.
+class OneOpenMpThread {
+ public:
+  OneOpenMpThread() { omp_set_max_active_levels(0); }
+  ~OneOpenMpThread() { omp_set_max_active_levels(levels_before_); }
+  OneOpenMpThread(const OneOpenMpThread&) = delete;
+  OneOpenMpThread& operator=(const OneOpenMpThread&) = delete;
+
+ private:
+  int levels_before_ = omp_get_max_active_levels();
+};
+
 ceres::Problem::Options problemOptions() {
   ceres::Problem::Options options;
   options.disable_all_safety_checks = true;  // they cost as much as building the problem
@@ -70,6 +85,7 @@ class GraphProblem {
   }
 
   ceres::Solver::Summary solve(const ceres::Solver::Options& options) {
+    const OneOpenMpThread one_thread;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
     return summary;
