@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/loop_closer.h"
 
+#include <algorithm>
 #include <map>
 
 namespace revisit_slam {
@@ -22,6 +23,15 @@ bool isFarForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& conf
   if (proposal.moved_rotation > kUnconfirmedRotation * config.max_rotation) return true;
   return proposal.loop.origin == LoopOrigin::retroactive &&
          proposal.moved_translation > config.agreement.translation;
+}
+
+/// Between the same local maps another registration found walls that do not fit: one of two is no
+/// majority.
+bool isContested(const LoopProposal& alone, const std::vector<LoopProposal>& proposals) {
+  return alone.loop.origin == LoopOrigin::retroactive &&
+         std::any_of(proposals.begin(), proposals.end(), [](const LoopProposal& other) {
+           return other.outcome == LoopOutcome::incoherent;
+         });
 }
 
 /// Submaps made ready for registration, each once, for the pairs of one closure.
@@ -162,7 +172,9 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
   }
   if (candidates.size() == 1) {
     LoopProposal& alone = proposals[candidates[0]];
-    if (isFarForOneAlone(alone, config_)) alone.outcome = LoopOutcome::far_from_guess;
+    if (isFarForOneAlone(alone, config_))
+      alone.outcome = LoopOutcome::far_from_guess;
+    else if (isContested(alone, proposals)) alone.outcome = LoopOutcome::disagreement;
     return;
   }
   if (candidates.empty()) return;

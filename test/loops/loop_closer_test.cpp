@@ -82,6 +82,25 @@ TEST_F(LoopCloserTest, WhereTheGraphPlacedThemRegistrationsMayNotDifferByDrift) 
   EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::retroactive), LoopOutcome::far_from_guess);
 }
 
+TEST_F(LoopCloserTest, OneOfTwoIsNoMajorityWhereTheOthersWallsDoNotFit) {
+  const auto elsewhere = localMapOf(SyntheticStreet(9, 2), drive(52, 2, 2.0), 100);
+  const auto targets = placeByOdometry(*target_, Pose::identity());
+  const std::vector<PlacedSubmap> right{placeByOdometry(*source_, T_target_source_).front()};
+  const std::vector<PlacedSubmap> both{right.front(),
+                                       placeByOdometry(*elsewhere, T_target_source_).back()};
+  LoopCloserConfig config;
+  config.min_fitness = 0.0;  // the other is incoherent, too
+  const LoopCloser closer(config, {});
+  for (const LoopOrigin origin : {LoopOrigin::appearance, LoopOrigin::retroactive}) {
+    const bool graph = origin == LoopOrigin::retroactive;
+    EXPECT_EQ(closer.close(right, targets, origin).front().outcome, LoopOutcome::accepted);
+    const auto contested = closer.close(both, targets, origin);
+    ASSERT_EQ(contested.size(), 2u);
+    EXPECT_EQ(contested[1].outcome, LoopOutcome::incoherent) << toString(contested[1].outcome);
+    EXPECT_EQ(contested[0].outcome, graph ? LoopOutcome::disagreement : LoopOutcome::accepted);
+  }
+}
+
 TEST_F(LoopCloserTest, DoesNotDependOnThreads) {
   std::vector<LoopProposal> one, four;
   tbb::task_arena(1).execute([&] { one = close(*source_, error_); });
