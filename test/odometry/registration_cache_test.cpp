@@ -31,7 +31,7 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
       double squared = r.squaredNorm();
       const auto& [spread, normal, around] = neighbour.surroundings;
       if (config.planes && spread == Spread::sparse) M *= config.sparse_weight;
-      if (config.planes && spread == Spread::scattered) 
+      if (config.planes && spread == Spread::scattered)
         M *= std::min(1.0, around / config.scattered_points);
       if (config.planes && spread == Spread::planar) {
         const Eigen::Vector3d n = T.rotation.conjugate() * normal.cast<double>();

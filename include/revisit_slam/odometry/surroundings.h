@@ -20,7 +20,7 @@ enum class Spread : std::uint8_t {
 struct Surroundings {
   Spread spread = Spread::sparse;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< of the plane, else zero
-  float points = 0.0f;  ///< how many
+  float points = 0.0f;  ///< number of map points looked at
 };
 
 /// `around`: of the points in a voxel and the 26 around it, `edge` its length in metres; z is up.
