@@ -11,9 +11,10 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 from benchmark_process import run_or_stop
 
 SEED = 7
+# Arguments of `simulate` for a drive along a recorded route.
+ALONG_ROUTE = ("--world", "town", "--sensor", "spinning-64", "--route")
 # Name, arguments of `simulate`; about a kilometre each, 10 scans a second.
 SIMULATED: Tuple[Tuple[str, Tuple[str, ...]], ...] = (
-    ("kitti07", ("--world", "town", "--route", "{route}", "--sensor", "spinning-64")),
     ("town", ("--world", "town", "--route", "loop", "--length", "1000", "--sensor", "spinning-64")),
     (
         "bridge",
@@ -66,28 +67,32 @@ def given(text: str) -> Sequence:
     return Sequence(name, Path(bag), truth, None, "Given bag")
 
 
-def names(route: Optional[Path]) -> List[str]:
-    """Of the simulated drives; the one along a recorded route only if its file is given."""
-    return [name for name, words in SIMULATED if route or "{route}" not in words]
+def along(routes: List[Path]) -> Dict[str, Path]:
+    """Names of the drives along recorded routes: kitti07 for kitti_07.txt."""
+    return {route.stem.replace("_", ""): route for route in routes}
 
 
-def simulated(name: str, folder: Path, program: Path, route: Optional[Path]) -> Sequence:
+def names(routes: List[Path]) -> List[str]:
+    """Of all simulated drives."""
+    return [*along(routes), *dict(SIMULATED)]
+
+
+def simulated(name: str, folder: Path, program: Path, routes: List[Path]) -> Sequence:
     """The bag is made unless the same command has made it before."""
-    words = [word.format(route=route) for word in dict(SIMULATED)[name]] + ["--seed", str(SEED)]
-    bag, note = folder / f"{name}.bag", folder / f"{name}.command"
+    route = along(routes).get(name)
+    words = [*ALONG_ROUTE, str(route)] if route else list(dict(SIMULATED)[name])
+    words += ["--seed", str(SEED)]
     command = " ".join(words)
+    bag, note = folder / f"{name}.bag", folder / f"{name}.command"
     if not (bag.is_file() and note.is_file() and note.read_text() == command):
         print(f"{name}: simulating", flush=True)
         folder.mkdir(parents=True, exist_ok=True)
         note.unlink(missing_ok=True)
         run_or_stop([program, "--out", bag, "--quiet", *words], folder / f"{name}.log")
         note.write_text(command)
-    return Sequence(name, bag, reference_beside(bag), None, described(command, route))
-
-
-def described(command: str, route: Optional[Path]) -> str:
-    """Without the folder of this machine's route."""
-    return "simulate " + (command.replace(str(route), route.name) if route else command)
+    # Without the folder of this machine's route.
+    origin = command.replace(str(route), route.name) if route else command
+    return Sequence(name, bag, reference_beside(bag), None, f"simulate {origin}")
 
 
 def facts(sequence: Sequence) -> Dict[str, Any]:
