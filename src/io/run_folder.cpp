@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "revisit_slam/core/quantile.h"
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/process_usage.h"
 #include "revisit_slam/io/whole_file.h"
@@ -22,14 +23,6 @@ std::string made(const std::string& path) {
   std::filesystem::create_directories(path, error);
   if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
   return path;
-}
-
-/// The smallest value that at least this share of the values does not exceed.
-double quantile(std::vector<double> values, double share) {
-  const double rank = std::ceil(share * static_cast<double>(values.size())) - 1.0;
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max(0.0, rank));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 json statistics(const std::map<std::string, std::vector<double>>& stage_ms) {

@@ -9,6 +9,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
+#include "revisit_slam/core/recent_times.h"
 #include "revisit_slam/core/work_queue.h"
 #include "revisit_slam/ros/front_end.h"
 #include "revisit_slam/ros/in_process_topic.h"
@@ -78,6 +79,7 @@ class OdometryNodelet : public SlamNodelet {
   template <typename T>
   void registerMessage(const T& message) {
     if (!extrinsics_known_ && !waitForExtrinsics(frameOf(message))) return;
+    StageClock clock;
     FrontEnd::Result result;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -90,6 +92,9 @@ class OdometryNodelet : public SlamNodelet {
     } else {
       NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
     }
+    clock.stage("scan");
+    const std::lock_guard<std::mutex> lock(mutex_);
+    scan_times_.add(clock.times().back().second);
   }
 
   static std::string frameOf(const sensor_msgs::PointCloud2& cloud) {
@@ -188,6 +193,7 @@ class OdometryNodelet : public SlamNodelet {
       addValue("registration", toString(last_registration_.outcome), status);
       addValue("iterations", std::to_string(last_registration_.iterations), status);
       addValue("delay (s)", std::to_string(last_delay_), status);
+      addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
       addAccount(account, status);
     }
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
@@ -201,12 +207,13 @@ class OdometryNodelet : public SlamNodelet {
   ros::Publisher odometry_publisher_, cloud_publisher_;
   ros::ServiceServer reset_service_;
 
-  std::mutex mutex_;  // guards the next six
+  std::mutex mutex_;  // guards the next seven
   std::unique_ptr<FrontEnd> front_end_;
   std::int64_t session_ = 0;
   std::string said_time_source_;
   RegistrationResult last_registration_;
   double last_delay_ = 0.0;  // s
+  RecentTimes scan_times_;
   std::size_t reported_drops_ = 0;
 
   std::atomic<bool> extrinsics_known_{false};
