@@ -60,9 +60,9 @@ Plane refit(const Plane& plane, const Ground& ground, double scale) {
   for (const Eigen::Vector3d& p : ground) {
     const double ratio = plane.heightAbove(p) / scale;
     const double weight = 1.0 / ((1.0 + ratio * ratio) * (1.0 + ratio * ratio));
-    const Eigen::Vector3d J(1.0, p.x(), p.y());
-    H += weight * J * J.transpose();
-    g += weight * J * p.z();
+    const Eigen::Vector3d J(1.0, p.x(), p.y()), weighted = weight * J;
+    H.noalias() += weighted * J.transpose();
+    g.noalias() += weighted * p.z();
   }
   H.diagonal() +=
       Eigen::Vector3d(1e-9, 1e-6, 1e-6) * H(0, 0);  // columns in a line: no slope across

@@ -9,93 +9,144 @@
 namespace revisit_slam {
 namespace {
 
-using Pairs = std::vector<PointPair>;
+/// A pair with the direction (cosine, sine) of its turn: what is asked of thousands of samples does
+/// without a trigonometric function.
+struct DirectedPair {
+  Eigen::Vector2d source, target, turn;
+  double angle;  ///< rad, of the turn; in [0, 2 pi), or a turn later
+};
+using Pairs = std::vector<DirectedPair>;
+
+Pairs withDirections(const std::vector<PointPair>& pairs) {
+  Pairs result;
+  for (const PointPair& pair : pairs)
+    result.push_back({pair.source,
+                      pair.target,
+                      {std::cos(pair.turn), std::sin(pair.turn)},
+                      pair.turn - 2.0 * M_PI * std::floor(pair.turn / (2.0 * M_PI))});
+  return result;
+}
+
+/// The cosine and sine of the angle from a to b, times their lengths.
+Eigen::Vector2d turnBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return {a.dot(b), a.x() * b.y() - a.y() * b.x()};
+}
 
 /// Least squares in the plane: the rotation is the angle of the summed products of the centred
 /// points, taken as complex numbers (Horn 1987, in two dimensions).
 Eigen::Isometry2d leastSquares(const Pairs& pairs) {
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
-  for (const PointPair& pair : pairs) {
+  for (const DirectedPair& pair : pairs) {
     source += pair.source / static_cast<double>(pairs.size());
     target += pair.target / static_cast<double>(pairs.size());
   }
-  double along = 0.0, across = 0.0;
-  for (const PointPair& pair : pairs) {
-    const Eigen::Vector2d s = pair.source - source, t = pair.target - target;
-    along += s.dot(t);
-    across += s.x() * t.y() - s.y() * t.x();
-  }
+  Eigen::Vector2d turn = Eigen::Vector2d::Zero();
+  for (const DirectedPair& pair : pairs)
+    turn += turnBetween(pair.source - source, pair.target - target);
+  const double length = turn.norm();
+  turn = length > 0.0 ? Eigen::Vector2d(turn / length) : Eigen::Vector2d::UnitX();
   Eigen::Isometry2d T = Eigen::Isometry2d::Identity();
-  T.linear() = Eigen::Rotation2Dd(std::atan2(across, along)).toRotationMatrix();
+  T.linear() << turn.x(), -turn.y(), turn.y(), turn.x();
   T.translation() = target - T.linear() * source;
   return T;
 }
 
-/// For angles within some turns of each other.
-bool areAlike(double angle, double other, double tolerance) {
-  double difference = std::abs(angle - other);
-  while (difference > M_PI) difference = std::abs(difference - 2.0 * M_PI);
-  return difference <= tolerance;
-}
-
-double squaredError(const Eigen::Isometry2d& T, const PointPair& pair) {
+double squaredError(const Eigen::Isometry2d& T, const DirectedPair& pair) {
   return (T * pair.source - pair.target).squaredNorm();
 }
 
-void findInliers(const Eigen::Isometry2d& T, const Pairs& pairs,
-                 const PlanarAlignmentConfig& config, Pairs& inliers) {
-  const double turn = Eigen::Rotation2Dd(T.linear()).angle();
-  inliers.clear();
-  for (const PointPair& pair : pairs)
-    if (squaredError(T, pair) < config.inlier_radius * config.inlier_radius &&
-        areAlike(pair.turn, turn, config.max_turn))
-      inliers.push_back(pair);
-}
+/// What makes a pair agree with an alignment.
+class Agreement {
+ public:
+  explicit Agreement(const PlanarAlignmentConfig& config)
+      : squared_radius_(config.inlier_radius * config.inlier_radius),
+        least_cosine_(std::cos(std::min(config.max_turn, M_PI))) {}
 
-double directionOf(const Eigen::Vector2d& v) {
-  return std::atan2(v.y(), v.x());
-}
+  bool operator()(const Eigen::Isometry2d& T, const DirectedPair& pair) const {
+    return squaredError(T, pair) < squared_radius_ && turnsLike(pair, T.linear().col(0), 1.0);
+  }
 
-/// Whether the lengths are above `play` and differ by less (squared twice: no roots to draw).
-bool areOfLikeLength(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double play) {
-  const double aa = a.squaredNorm(), bb = b.squaredNorm();
+  /// turn: of that length
+  bool turnsLike(const DirectedPair& pair, const Eigen::Vector2d& turn, double length) const {
+    return pair.turn.dot(turn) >= least_cosine_ * length;
+  }
+
+ private:
+  double squared_radius_, least_cosine_;
+};
+
+/// Whether the squared lengths are above that of `play` and the lengths differ by less (squared
+/// twice: no roots to draw).
+bool areOfLikeLength(double aa, double bb, double play) {
   const double sum = aa + bb - play * play;
   return std::min(aa, bb) > play * play && sum * sum < 4.0 * aa * bb;
 }
 
 /// Whether one rigid motion can bring both pairs within the radius and has their turn, and whether
 /// they are far enough from each other to tell.
-bool fitTogether(const PointPair& a, const PointPair& b, const PlanarAlignmentConfig& config) {
+bool fitTogether(const DirectedPair& a, const DirectedPair& b, const Agreement& agree,
+                 double inlier_radius) {
   const Eigen::Vector2d source = b.source - a.source, target = b.target - a.target;
-  const double play = 2.0 * config.inlier_radius;
-  if (!areOfLikeLength(source, target, play)) return false;
-  const double turn = directionOf(target) - directionOf(source);
-  return areAlike(a.turn, turn, config.max_turn) && areAlike(b.turn, turn, config.max_turn);
+  const double ss = source.squaredNorm(), tt = target.squaredNorm();
+  if (!areOfLikeLength(ss, tt, 2.0 * inlier_radius)) return false;
+  const Eigen::Vector2d turn = turnBetween(source, target);
+  const double length = std::sqrt(ss * tt);
+  return agree.turnsLike(a, turn, length) && agree.turnsLike(b, turn, length);
 }
 
-/// Pairs in the order of their turns, which are in [0, 2 pi), and once more a turn later.
-Pairs inTwoTurns(Pairs pairs) {
-  for (PointPair& pair : pairs) pair.turn -= 2.0 * M_PI * std::floor(pair.turn / (2.0 * M_PI));
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const PointPair& a, const PointPair& b) { return a.turn < b.turn; });
-  const std::size_t count = pairs.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    pairs.push_back(pairs[i]);
-    pairs.back().turn += 2.0 * M_PI;
+Pairs inliersOf(const Eigen::Isometry2d& T, const Pairs& pairs, const Agreement& agree) {
+  Pairs inliers;
+  for (const DirectedPair& pair : pairs)
+    if (agree(T, pair)) inliers.push_back(pair);
+  return inliers;
+}
+
+/// Pairs in the order of their turns, which all go round once: what is within reach of one of them
+/// lies side by side.
+class TurnOrder {
+ public:
+  using Iterator = Pairs::const_iterator;
+  struct Range {
+    Iterator first, last;
+    Iterator begin() const { return first; }
+    Iterator end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+
+  explicit TurnOrder(Pairs pairs) : count_(pairs.size()) {
+    std::stable_sort(
+        pairs.begin(), pairs.end(),
+        [](const DirectedPair& a, const DirectedPair& b) { return a.angle < b.angle; });
+    for (const double turn : {-2.0 * M_PI, 0.0, 2.0 * M_PI})
+      for (DirectedPair pair : pairs) {
+        pair.angle += turn;
+        thrice_.push_back(pair);
+      }
   }
-  return pairs;
-}
 
-/// Calls visit(a, b) for all two pairs whose turns can both agree with one alignment.
-template <typename Visit>
-void forEachSample(const Pairs& twice, const PlanarAlignmentConfig& config, const Visit& visit) {
-  const std::size_t count = twice.size() / 2;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < i + count; ++j) {
-      if (twice[j].turn - twice[i].turn > 2.0 * config.max_turn) break;
-      visit(twice[i], twice[j]);
-    }
-}
+  Range all() const { return {at(count_), at(2 * count_)}; }
+
+  /// Those that follow this one of `all` and turn by at most `reach` more.
+  Range following(Iterator pair, double reach) const {
+    const Iterator last = pair + static_cast<std::ptrdiff_t>(count_);
+    return {pair + 1, std::upper_bound(pair + 1, last, pair->angle + reach, isBefore)};
+  }
+
+  /// Those that turn by at most `reach` more or less than this one of `all`, each once.
+  Range around(Iterator pair, double reach) const {
+    if (reach >= M_PI) return all();
+    return {std::lower_bound(at(0), pair, pair->angle - reach, isBehind),
+            std::upper_bound(pair, at(3 * count_), pair->angle + reach, isBefore)};
+  }
+
+ private:
+  static bool isBefore(double angle, const DirectedPair& pair) { return angle < pair.angle; }
+  static bool isBehind(const DirectedPair& pair, double angle) { return pair.angle < angle; }
+  Iterator at(std::size_t i) const { return thrice_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+  std::size_t count_;
+  Pairs thrice_;
+};
 
 /// Chooses among so many samples those to try: all, or a seeded choice of about `samples`.
 class SampleChoice {
@@ -110,26 +161,40 @@ class SampleChoice {
   std::minstd_rand random_;
 };
 
-Pairs largestConsensus(const Pairs& pairs, const PlanarAlignmentConfig& config) {
-  const Pairs twice = inTwoTurns(pairs);
-  std::size_t count = 0;
-  forEachSample(twice, config, [&](const PointPair&, const PointPair&) { ++count; });
-  SampleChoice choice(count, config);
-  Pairs best, sample(2), inliers;
-  forEachSample(twice, config, [&](const PointPair& a, const PointPair& b) {
-    if (!choice.next() || !fitTogether(a, b, config)) return;
-    sample = {a, b};
-    findInliers(leastSquares(sample), pairs, config, inliers);
-    if (inliers.size() > best.size()) std::swap(best, inliers);
-  });
-  return best;
+/// Samples are two pairs whose turns can both agree with one alignment; with it only those agree
+/// that turn by no more than twice the tolerance otherwise than either.
+Pairs largestConsensus(const Pairs& pairs, const Agreement& agree,
+                       const PlanarAlignmentConfig& config) {
+  const TurnOrder order(pairs);
+  const double reach = 2.0 * config.max_turn;
+  std::size_t samples = 0;
+  for (auto a = order.all().begin(); a != order.all().end(); ++a)
+    samples += order.following(a, reach).size();
+  SampleChoice choice(samples, config);
+  Pairs sample;
+  std::ptrdiff_t most = 0;
+  Eigen::Isometry2d best = Eigen::Isometry2d::Identity();
+  for (auto a = order.all().begin(); a != order.all().end(); ++a) {
+    const TurnOrder::Range near = order.around(a, reach);
+    for (const DirectedPair& b : order.following(a, reach)) {
+      if (!choice.next() || !fitTogether(*a, b, agree, config.inlier_radius)) continue;
+      sample = {*a, b};
+      const Eigen::Isometry2d T = leastSquares(sample);
+      const auto inliers = std::count_if(near.begin(), near.end(), [&](const DirectedPair& pair) {
+        return agree(T, pair);
+      });
+      if (inliers <= most) continue;
+      most = inliers;
+      best = T;
+    }
+  }
+  return most > 0 ? inliersOf(best, pairs, agree) : Pairs{};
 }
 
 /// As long as more pairs agree with the estimate from all that agreed before.
-Pairs grown(Pairs inliers, const Pairs& pairs, const PlanarAlignmentConfig& config) {
+Pairs grown(Pairs inliers, const Pairs& pairs, const Agreement& agree) {
   for (;;) {
-    Pairs again;
-    findInliers(leastSquares(inliers), pairs, config, again);
+    Pairs again = inliersOf(leastSquares(inliers), pairs, agree);
     if (again.size() <= inliers.size()) return inliers;
     inliers = std::move(again);
   }
@@ -138,7 +203,7 @@ Pairs grown(Pairs inliers, const Pairs& pairs, const PlanarAlignmentConfig& conf
 /// How many can be taken, in order, so that all are as far from each other.
 int countSeparate(const Pairs& pairs, double separation) {
   std::vector<Eigen::Vector2d> taken;
-  for (const PointPair& pair : pairs) {
+  for (const DirectedPair& pair : pairs) {
     const auto is_near = [&](const Eigen::Vector2d& other) {
       return (other - pair.source).norm() < separation;
     };
@@ -149,17 +214,20 @@ int countSeparate(const Pairs& pairs, double separation) {
 
 double rmsError(const Eigen::Isometry2d& T, const Pairs& pairs) {
   double sum = 0.0;
-  for (const PointPair& pair : pairs) sum += squaredError(T, pair);
+  for (const DirectedPair& pair : pairs) sum += squaredError(T, pair);
   return std::sqrt(sum / static_cast<double>(pairs.size()));
 }
 
 }  // namespace
 
-PlanarAlignment alignPlanar(const Pairs& pairs, const PlanarAlignmentConfig& config) {
-  if (pairs.size() < 2) return {};
-  const Pairs consensus = largestConsensus(pairs, config);
+PlanarAlignment alignPlanar(const std::vector<PointPair>& point_pairs,
+                            const PlanarAlignmentConfig& config) {
+  if (point_pairs.size() < 2) return {};
+  const Pairs pairs = withDirections(point_pairs);
+  const Agreement agree(config);
+  const Pairs consensus = largestConsensus(pairs, agree, config);
   if (consensus.empty()) return {};
-  const Pairs inliers = grown(consensus, pairs, config);
+  const Pairs inliers = grown(consensus, pairs, agree);
   const Eigen::Isometry2d T_target_source = leastSquares(inliers);
   return {T_target_source, countSeparate(inliers, config.separation),
           rmsError(T_target_source, inliers)};

@@ -11,52 +11,76 @@
 namespace revisit_slam {
 namespace {
 
+using Block = DescriptorBlocks::Block;
+constexpr std::size_t kLanes = DescriptorBlocks::kLanes;
+
+/// Nearest of so many blocks; an index beyond all descriptors is that of a filler, and never the
+/// first of the nearest.
+using Search = NearestDescriptor(const Descriptor&, const std::vector<Block>&, NearestDescriptor);
+
 /// Stopping after half of the bits would not pay: a third of all pairs is still within the bound.
-inline __attribute__((always_inline)) void search(const Descriptor& query,
-                                                  const Descriptor* descriptors, std::size_t begin,
-                                                  std::size_t end, NearestDescriptor& best) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const int distance = differingBits(query, descriptors[i]);
-    if (distance < best.distance) best = {i, distance};
+inline __attribute__((always_inline)) NearestDescriptor search(const Descriptor& query,
+                                                               const std::vector<Block>& blocks,
+                                                               NearestDescriptor best) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Block& block = blocks[b];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const int distance = differingBits(
+          query, {block[0][lane], block[1][lane], block[2][lane], block[3][lane]});
+      if (distance < best.distance) best = {b * kLanes + lane, distance};
+    }
   }
+  return best;
 }
 
-using Search = void(const Descriptor&, const Descriptor*, std::size_t, std::size_t,
-                    NearestDescriptor&);
-
-void searchAnywhere(const Descriptor& query, const Descriptor* descriptors, std::size_t begin,
-                    std::size_t end, NearestDescriptor& best) {
-  search(query, descriptors, begin, end, best);
+NearestDescriptor searchAnywhere(const Descriptor& query, const std::vector<Block>& blocks,
+                                 NearestDescriptor best) {
+  return search(query, blocks, best);
 }
 
 #ifdef REVISIT_SLAM_HAS_VERSIONS
 /// With the instruction that counts the bits of one word.
-__attribute__((target("popcnt"))) void searchByWord(const Descriptor& query,
-                                                    const Descriptor* descriptors,
-                                                    std::size_t begin, std::size_t end,
-                                                    NearestDescriptor& best) {
-  search(query, descriptors, begin, end, best);
+__attribute__((target("popcnt"))) NearestDescriptor searchByWord(const Descriptor& query,
+                                                                 const std::vector<Block>& blocks,
+                                                                 NearestDescriptor best) {
+  return search(query, blocks, best);
 }
 
-/// With the instruction that counts those of eight: four descriptors at a time are compared with
-/// the bound, and one by one where any of them is nearer.
-__attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) void searchByEightWords(
-    const Descriptor& query, const Descriptor* descriptors, std::size_t begin, std::size_t end,
-    NearestDescriptor& best) {
-  const __m512i q =
-      _mm512_broadcast_i64x4(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(query.data())));
-  std::size_t i = begin;
-  for (; i + 4 <= end; i += 4) {
-    const __m512i a = _mm512_popcnt_epi64(_mm512_xor_si512(q, _mm512_loadu_si512(descriptors + i)));
-    const __m512i b =
-        _mm512_popcnt_epi64(_mm512_xor_si512(q, _mm512_loadu_si512(descriptors + i + 2)));
-    const __m512i halves =
-        _mm512_add_epi64(_mm512_unpacklo_epi64(a, b), _mm512_unpackhi_epi64(a, b));
-    const __m512i sums = _mm512_add_epi64(halves, _mm512_shuffle_i64x2(halves, halves, 0xB1));
-    if (_mm512_cmplt_epi64_mask(sums, _mm512_set1_epi64(best.distance)))
-      search(query, descriptors, i, i + 4, best);
+/// With the instruction that counts those of eight: each lane keeps its own nearest.
+__attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor searchByEightWords(
+    const Descriptor& query, const std::vector<Block>& blocks, NearestDescriptor best) {
+  const __m512i q[] = {
+      _mm512_set1_epi64(static_cast<long long>(query[0])),
+      _mm512_set1_epi64(static_cast<long long>(query[1])),
+      _mm512_set1_epi64(static_cast<long long>(query[2])),
+      _mm512_set1_epi64(static_cast<long long>(query[3])),
+  };
+  const auto differing = [&q](const Block& block, int word) __attribute__((
+                             always_inline, target("popcnt,avx512f,avx512vpopcntdq"))) {
+    return _mm512_popcnt_epi64(_mm512_xor_si512(q[word], _mm512_loadu_si512(&block[word])));
+  };
+  __m512i distances = _mm512_set1_epi64(best.distance), nearest = _mm512_setzero_si512();
+  __m512i number = _mm512_setzero_si512();
+  for (const Block& block : blocks) {
+    const __m512i distance =
+        _mm512_add_epi64(_mm512_add_epi64(differing(block, 0), differing(block, 1)),
+                         _mm512_add_epi64(differing(block, 2), differing(block, 3)));
+    const __mmask8 is_nearer = _mm512_cmplt_epi64_mask(distance, distances);
+    distances = _mm512_mask_mov_epi64(distances, is_nearer, distance);
+    nearest = _mm512_mask_mov_epi64(nearest, is_nearer, number);
+    number = _mm512_add_epi64(number, _mm512_set1_epi64(1));
   }
-  search(query, descriptors, i, end, best);
+  std::array<std::int64_t, kLanes> lane_distances, lane_blocks;
+  _mm512_storeu_si512(lane_distances.data(), distances);
+  _mm512_storeu_si512(lane_blocks.data(), nearest);
+  const int bound = best.distance;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const int distance = static_cast<int>(lane_distances[lane]);
+    if (distance >= bound || distance > best.distance) continue;
+    const std::size_t index = static_cast<std::size_t>(lane_blocks[lane]) * kLanes + lane;
+    if (distance < best.distance || index < best.index) best = {index, distance};
+  }
+  return best;
 }
 #endif
 
@@ -70,12 +94,21 @@ Search* fastestSearch() {
 
 }  // namespace
 
-NearestDescriptor nearestDescriptor(const Descriptor& query, const Descriptor* descriptors,
-                                    std::size_t begin, std::size_t end, int bound) {
+DescriptorBlocks::DescriptorBlocks(const std::vector<Descriptor>& descriptors)
+    : size_(descriptors.size()), blocks_((size_ + kLanes - 1) / kLanes) {
+  for (std::size_t i = 0; i < size_; ++i) set(i, descriptors[i]);
+}
+
+void DescriptorBlocks::set(std::size_t index, const Descriptor& descriptor) {
+  const std::size_t end = index + 1 < size_ ? index + 1 : kLanes * blocks_.size();
+  for (std::size_t i = index; i < end; ++i)
+    for (std::size_t word = 0; word < descriptor.size(); ++word)
+      blocks_[i / kLanes][word][i % kLanes] = descriptor[word];
+}
+
+NearestDescriptor DescriptorBlocks::nearest(const Descriptor& query, int bound) const {
   static Search* const search_fast = fastestSearch();
-  NearestDescriptor best{end, bound};
-  search_fast(query, descriptors, begin, end, best);
-  return best;
+  return search_fast(query, blocks_, {size_, bound});
 }
 
 }  // namespace revisit_slam
