@@ -33,7 +33,7 @@ bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConf
          error.angle() * kDegrees <= config.rotation + config.rotation_drift * apart;
 }
 
-std::vector<bool> majority(const std::vector<RegisteredPair>& pairs,
+std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t others,
                            const AgreementConfig& config) {
   std::vector<bool> belongs(pairs.size(), false);
   std::pair<std::size_t, double> most{0, 0.0};
@@ -44,7 +44,7 @@ std::vector<bool> majority(const std::vector<RegisteredPair>& pairs,
     most = support;
     centre = i;
   }
-  if (2 * most.first <= pairs.size()) return belongs;
+  if (2 * most.first <= pairs.size() + others) return belongs;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     belongs[i] = agree(pairs[centre], pairs[i], config);
   return belongs;

@@ -25,15 +25,6 @@ bool isFarForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& conf
          proposal.moved_translation > config.agreement.translation;
 }
 
-/// Between the same local maps another registration found walls that do not fit: one of two is no
-/// majority.
-bool isContested(const LoopProposal& alone, const std::vector<LoopProposal>& proposals) {
-  return alone.loop.origin == LoopOrigin::retroactive &&
-         std::any_of(proposals.begin(), proposals.end(), [](const LoopProposal& other) {
-           return other.outcome == LoopOutcome::incoherent;
-         });
-}
-
 /// Submaps made ready for registration, each once, for the pairs of one closure.
 class PreparedClouds {
  public:
@@ -163,23 +154,23 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
                                     std::vector<LoopProposal>& proposals) const {
   std::vector<std::size_t> candidates;
   std::vector<RegisteredPair> registered;
+  std::size_t incoherent = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (proposals[i].outcome == LoopOutcome::incoherent) ++incoherent;
     if (proposals[i].outcome != LoopOutcome::accepted) continue;
     candidates.push_back(i);
     registered.push_back(
         {targets[pairs[i].target].T_common_submap, sources[pairs[i].source].T_common_submap,
          proposals[i].registration.T_target_source, proposals[i].registration.fitness});
   }
-  if (candidates.size() == 1) {
-    LoopProposal& alone = proposals[candidates[0]];
-    if (isFarForOneAlone(alone, config_))
-      alone.outcome = LoopOutcome::far_from_guess;
-    else if (isContested(alone, proposals)) alone.outcome = LoopOutcome::disagreement;
+  if (candidates.empty()) return;
+  LoopProposal& first = proposals[candidates[0]];
+  if (candidates.size() == 1 && isFarForOneAlone(first, config_)) {
+    first.outcome = LoopOutcome::far_from_guess;
     return;
   }
-  if (candidates.empty()) return;
-  const LoopOrigin origin = proposals[candidates[0]].loop.origin;
-  const std::vector<bool> belongs = majority(registered, agreementFor(origin, config_.agreement));
+  const AgreementConfig agreement = agreementFor(first.loop.origin, config_.agreement);
+  const std::vector<bool> belongs = majority(registered, incoherent, agreement);
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (!belongs[i]) proposals[candidates[i]].outcome = LoopOutcome::disagreement;
 }

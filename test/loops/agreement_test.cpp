@@ -22,7 +22,7 @@ std::vector<RegisteredPair> consistentPairs(const Pose& error) {
 const Pose kError{expSO3({0, 0, 0.05}), {1.5, -1.0, 0.2}};
 
 TEST(Agreement, AcceptsPairsThatShareTheErrorOfTheGuess) {
-  EXPECT_EQ(majority(consistentPairs(kError), {}), std::vector<bool>(4, true));
+  EXPECT_EQ(majority(consistentPairs(kError), 0, {}), std::vector<bool>(4, true));
 }
 
 TEST(Agreement, DropsAPlantedWrongPair) {
@@ -32,14 +32,14 @@ TEST(Agreement, DropsAPlantedWrongPair) {
         pairs[wrong].T_target_source * Pose{expSO3({0, 0, 0}), {5, 0, 0}};
     std::vector<bool> expected(4, true);
     expected[wrong] = false;
-    EXPECT_EQ(majority(pairs, {}), expected);
+    EXPECT_EQ(majority(pairs, 0, {}), expected);
   }
 }
 
 TEST(Agreement, DropsAPairThatIsTurned) {
   auto pairs = consistentPairs(kError);
   pairs[2].T_target_source.rotation = pairs[2].T_target_source.rotation * expSO3({0, 0.12, 0});
-  EXPECT_EQ(majority(pairs, {}), (std::vector<bool>{true, true, false, true}));
+  EXPECT_EQ(majority(pairs, 0, {}), (std::vector<bool>{true, true, false, true}));
 }
 
 TEST(Agreement, AllowsForDrift) {
@@ -48,17 +48,25 @@ TEST(Agreement, AllowsForDrift) {
     pairs[i].T_target_source =
         pairs[i].T_target_source *
         Pose{expSO3({0, 0, 0.002 * static_cast<double>(i)}), {0.2 * static_cast<double>(i), 0, 0}};
-  EXPECT_EQ(majority(pairs, {}), std::vector<bool>(4, true));
+  EXPECT_EQ(majority(pairs, 0, {}), std::vector<bool>(4, true));
 }
 
 TEST(Agreement, HalfIsNoMajorityAndOneIsWholly) {
   auto pairs = consistentPairs(kError);
   pairs.resize(2);
   pairs[1].T_target_source = pairs[1].T_target_source * Pose{expSO3({0, 0, 0}), {5, 0, 0}};
-  EXPECT_EQ(majority(pairs, {}), std::vector<bool>(2, false));
+  EXPECT_EQ(majority(pairs, 0, {}), std::vector<bool>(2, false));
   pairs.resize(1);
-  EXPECT_EQ(majority(pairs, {}), std::vector<bool>(1, true));
-  EXPECT_TRUE(majority({}, {}).empty());
+  EXPECT_EQ(majority(pairs, 0, {}), std::vector<bool>(1, true));
+  EXPECT_TRUE(majority({}, 0, {}).empty());
+}
+
+TEST(Agreement, ThoseWithoutASayAreAmongAll) {
+  auto pairs = consistentPairs(kError);
+  EXPECT_EQ(majority(pairs, 3, {}), std::vector<bool>(4, true));
+  EXPECT_EQ(majority(pairs, 4, {}), std::vector<bool>(4, false));
+  pairs.resize(1);
+  EXPECT_EQ(majority(pairs, 1, {}), std::vector<bool>(1, false));
 }
 
 }  // namespace

@@ -40,7 +40,10 @@ struct RegisteredPair {
 bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConfig& config);
 
 /// For each pair, whether it belongs to the majority: the pairs that agree with the one that most
-/// agree with. Fewer than or exactly half of all are no majority; a single pair is one.
-std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, const AgreementConfig& config);
+/// agree with. Fewer than or exactly half of all are no majority.
+/// @param others pairs of the same local maps whose registration found nothing that fits: they are
+/// among all, and agree with none.
+std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t others,
+                           const AgreementConfig& config);
 
 }  // namespace revisit_slam
