@@ -169,8 +169,11 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
     first.outcome = LoopOutcome::far_from_guess;
     return;
   }
-  const AgreementConfig agreement = agreementFor(first.loop.origin, config_.agreement);
-  const std::vector<bool> belongs = majority(registered, incoherent, agreement);
+  const LoopOrigin origin = first.loop.origin;
+  // What appearance recognised has more to say for it than the walls.
+  const std::size_t others = origin == LoopOrigin::retroactive ? incoherent : 0;
+  const std::vector<bool> belongs =
+      majority(registered, others, agreementFor(origin, config_.agreement));
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (!belongs[i]) proposals[candidates[i]].outcome = LoopOutcome::disagreement;
 }

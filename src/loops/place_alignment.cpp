@@ -13,7 +13,7 @@ namespace {
 /// without a trigonometric function.
 struct DirectedPair {
   Eigen::Vector2d source, target, turn;
-  double angle;  ///< rad, of the turn; in [0, 2 pi), or a turn later
+  double angle;  ///< rad, of the turn; in [0, 2 pi), or a turn more or less
 };
 using Pairs = std::vector<DirectedPair>;
 
@@ -56,9 +56,9 @@ double squaredError(const Eigen::Isometry2d& T, const DirectedPair& pair) {
 }
 
 /// What makes a pair agree with an alignment.
-class Agreement {
+class InlierTest {
  public:
-  explicit Agreement(const PlanarAlignmentConfig& config)
+  explicit InlierTest(const PlanarAlignmentConfig& config)
       : squared_radius_(config.inlier_radius * config.inlier_radius),
         least_cosine_(std::cos(std::min(config.max_turn, M_PI))) {}
 
@@ -84,7 +84,7 @@ bool areOfLikeLength(double aa, double bb, double play) {
 
 /// Whether one rigid motion can bring both pairs within the radius and has their turn, and whether
 /// they are far enough from each other to tell.
-bool fitTogether(const DirectedPair& a, const DirectedPair& b, const Agreement& agree,
+bool fitTogether(const DirectedPair& a, const DirectedPair& b, const InlierTest& agree,
                  double inlier_radius) {
   const Eigen::Vector2d source = b.source - a.source, target = b.target - a.target;
   const double ss = source.squaredNorm(), tt = target.squaredNorm();
@@ -94,7 +94,7 @@ bool fitTogether(const DirectedPair& a, const DirectedPair& b, const Agreement& 
   return agree.turnsLike(a, turn, length) && agree.turnsLike(b, turn, length);
 }
 
-Pairs inliersOf(const Eigen::Isometry2d& T, const Pairs& pairs, const Agreement& agree) {
+Pairs inliersOf(const Eigen::Isometry2d& T, const Pairs& pairs, const InlierTest& agree) {
   Pairs inliers;
   for (const DirectedPair& pair : pairs)
     if (agree(T, pair)) inliers.push_back(pair);
@@ -163,7 +163,7 @@ class SampleChoice {
 
 /// Samples are two pairs whose turns can both agree with one alignment; with it only those agree
 /// that turn by no more than twice the tolerance otherwise than either.
-Pairs largestConsensus(const Pairs& pairs, const Agreement& agree,
+Pairs largestConsensus(const Pairs& pairs, const InlierTest& agree,
                        const PlanarAlignmentConfig& config) {
   const TurnOrder order(pairs);
   const double reach = 2.0 * config.max_turn;
@@ -192,7 +192,7 @@ Pairs largestConsensus(const Pairs& pairs, const Agreement& agree,
 }
 
 /// As long as more pairs agree with the estimate from all that agreed before.
-Pairs grown(Pairs inliers, const Pairs& pairs, const Agreement& agree) {
+Pairs grown(Pairs inliers, const Pairs& pairs, const InlierTest& agree) {
   for (;;) {
     Pairs again = inliersOf(leastSquares(inliers), pairs, agree);
     if (again.size() <= inliers.size()) return inliers;
@@ -224,7 +224,7 @@ PlanarAlignment alignPlanar(const std::vector<PointPair>& point_pairs,
                             const PlanarAlignmentConfig& config) {
   if (point_pairs.size() < 2) return {};
   const Pairs pairs = withDirections(point_pairs);
-  const Agreement agree(config);
+  const InlierTest agree(config);
   const Pairs consensus = largestConsensus(pairs, agree, config);
   if (consensus.empty()) return {};
   const Pairs inliers = grown(consensus, pairs, agree);

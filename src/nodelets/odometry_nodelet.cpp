@@ -87,11 +87,11 @@ class OdometryNodelet : public SlamNodelet {
       if (result.scan) result.scan->session = session_;
     }
     sayTimeSource();
-    if (result.scan) {
-      publish(std::move(*result.scan));
-    } else {
+    if (!result.scan) {
       NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
+      return;
     }
+    publish(std::move(*result.scan));
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
     scan_times_.add(clock.times().back().second);

@@ -69,6 +69,14 @@ class OdometryListener {
   bool diagnoses(const std::string& key, int value) const {
     return becomesTrue([&] { return diagnosed(key) == value; });
   }
+  bool diagnosesEndingWith(const std::string& key, const std::string& end) const {
+    return becomesTrue([&] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto entry = diagnostics_.find(key);
+      if (entry == diagnostics_.end() || entry->second.size() < end.size()) return false;
+      return entry->second.compare(entry->second.size() - end.size(), end.size(), end) == 0;
+    });
+  }
   /// Scans dropped, by reason.
   std::map<std::string, int> drops() const {
     const std::string prefix = "scans dropped, ";
