@@ -2,7 +2,6 @@
 #include "revisit_slam/io/run_folder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>

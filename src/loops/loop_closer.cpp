@@ -170,7 +170,7 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
     return;
   }
   const LoopOrigin origin = first.loop.origin;
-  // What appearance recognised has more to say for it than the walls.
+  // For a place that was recognised its appearance speaks too, whatever the other walls do.
   const std::size_t others = origin == LoopOrigin::retroactive ? incoherent : 0;
   const std::vector<bool> belongs =
       majority(registered, others, agreementFor(origin, config_.agreement));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <utility>
 
@@ -60,7 +61,7 @@ class InlierTest {
  public:
   explicit InlierTest(const PlanarAlignmentConfig& config)
       : squared_radius_(config.inlier_radius * config.inlier_radius),
-        least_cosine_(std::cos(std::min(config.max_turn, M_PI))) {}
+        least_cosine_(config.max_turn < M_PI ? std::cos(config.max_turn) : kAnyTurn) {}
 
   bool operator()(const Eigen::Isometry2d& T, const DirectedPair& pair) const {
     return squaredError(T, pair) < squared_radius_ && turnsLike(pair, T.linear().col(0), 1.0);
@@ -72,6 +73,7 @@ class InlierTest {
   }
 
  private:
+  static constexpr double kAnyTurn = -2.0;  // no cosine is as small, however rounded
   double squared_radius_, least_cosine_;
 };
 

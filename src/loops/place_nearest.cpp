@@ -11,16 +11,13 @@
 namespace revisit_slam {
 namespace {
 
-using Block = DescriptorBlocks::Block;
-constexpr std::size_t kLanes = DescriptorBlocks::kLanes;
-
-/// Nearest of so many blocks; an index beyond all descriptors is that of a filler, and never the
-/// first of the nearest.
-using Search = NearestDescriptor(const Descriptor&, const std::vector<Block>&, NearestDescriptor);
+using Block = DescriptorBlock;
+using Blocks = std::vector<DescriptorBlock>;
+constexpr std::size_t kLanes = std::tuple_size<Block::value_type>::value;
 
 /// Stopping after half of the bits would not pay: a third of all pairs is still within the bound.
 inline __attribute__((always_inline)) NearestDescriptor search(const Descriptor& query,
-                                                               const std::vector<Block>& blocks,
+                                                               const Blocks& blocks,
                                                                NearestDescriptor best) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
@@ -33,7 +30,7 @@ inline __attribute__((always_inline)) NearestDescriptor search(const Descriptor&
   return best;
 }
 
-NearestDescriptor searchAnywhere(const Descriptor& query, const std::vector<Block>& blocks,
+NearestDescriptor searchAnywhere(const Descriptor& query, const Blocks& blocks,
                                  NearestDescriptor best) {
   return search(query, blocks, best);
 }
@@ -41,14 +38,14 @@ NearestDescriptor searchAnywhere(const Descriptor& query, const std::vector<Bloc
 #ifdef REVISIT_SLAM_HAS_VERSIONS
 /// With the instruction that counts the bits of one word.
 __attribute__((target("popcnt"))) NearestDescriptor searchByWord(const Descriptor& query,
-                                                                 const std::vector<Block>& blocks,
+                                                                 const Blocks& blocks,
                                                                  NearestDescriptor best) {
   return search(query, blocks, best);
 }
 
 /// With the instruction that counts those of eight: each lane keeps its own nearest.
 __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor searchByEightWords(
-    const Descriptor& query, const std::vector<Block>& blocks, NearestDescriptor best) {
+    const Descriptor& query, const Blocks& blocks, NearestDescriptor best) {
   const __m512i q[] = {
       _mm512_set1_epi64(static_cast<long long>(query[0])),
       _mm512_set1_epi64(static_cast<long long>(query[1])),
@@ -84,15 +81,21 @@ __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor sear
 }
 #endif
 
-Search* fastestSearch() {
+std::vector<DescriptorSearch*> searchesHere() {
+  std::vector<DescriptorSearch*> searches{searchAnywhere};
 #ifdef REVISIT_SLAM_HAS_VERSIONS
-  if (__builtin_cpu_supports("avx512vpopcntdq")) return searchByEightWords;
-  if (__builtin_cpu_supports("popcnt")) return searchByWord;
+  if (__builtin_cpu_supports("popcnt")) searches.push_back(searchByWord);
+  if (__builtin_cpu_supports("avx512vpopcntdq")) searches.push_back(searchByEightWords);
 #endif
-  return searchAnywhere;
+  return searches;
 }
 
 }  // namespace
+
+const std::vector<DescriptorSearch*>& descriptorSearches() {
+  static const std::vector<DescriptorSearch*> searches = searchesHere();
+  return searches;
+}
 
 DescriptorBlocks::DescriptorBlocks(const std::vector<Descriptor>& descriptors)
     : size_(descriptors.size()), blocks_((size_ + kLanes - 1) / kLanes) {
@@ -104,11 +107,6 @@ void DescriptorBlocks::set(std::size_t index, const Descriptor& descriptor) {
   for (std::size_t i = index; i < end; ++i)
     for (std::size_t word = 0; word < descriptor.size(); ++word)
       blocks_[i / kLanes][word][i % kLanes] = descriptor[word];
-}
-
-NearestDescriptor DescriptorBlocks::nearest(const Descriptor& query, int bound) const {
-  static Search* const search_fast = fastestSearch();
-  return search_fast(query, blocks_, {size_, bound});
 }
 
 }  // namespace revisit_slam

@@ -41,9 +41,11 @@ TEST_F(PlaceMatching, FindsTheFirstNearestAsACompleteSearchDoes) {
         const int distance = differingBits(query, descriptors[i]);
         if (distance < expected.distance) expected = {i, distance};
       }
-      const NearestDescriptor found = DescriptorBlocks(descriptors).nearest(query, bound);
-      EXPECT_EQ(found.index, expected.index);
-      EXPECT_EQ(found.distance, expected.distance);
+      for (DescriptorSearch* search : descriptorSearches()) {
+        const NearestDescriptor found = DescriptorBlocks(descriptors).nearest(query, bound, search);
+        EXPECT_EQ(found.index, expected.index);
+        EXPECT_EQ(found.distance, expected.distance);
+      }
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "revisit_slam/core/parameters.h"
@@ -41,8 +42,7 @@ bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConf
 
 /// For each pair, whether it belongs to the majority: the pairs that agree with the one that most
 /// agree with. Fewer than or exactly half of all are no majority.
-/// @param others pairs of the same local maps whose registration found nothing that fits: they are
-/// among all, and agree with none.
+/// @param others pairs of the same local maps that are among all and agree with none.
 std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t others,
                            const AgreementConfig& config);
 

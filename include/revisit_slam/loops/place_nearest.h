@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "revisit_slam/loops/place_descriptor.h"
@@ -14,25 +15,33 @@ struct NearestDescriptor {
   int distance = 0;  ///< bits
 };
 
+/// Eight descriptors, word by word.
+using DescriptorBlock = std::array<std::array<std::uint64_t, 8>, std::tuple_size<Descriptor>::value>;
+
+/// The first of the nearest that are nearer than what it is given, else that.
+using DescriptorSearch = NearestDescriptor(const Descriptor& query,
+                                           const std::vector<DescriptorBlock>& blocks,
+                                           NearestDescriptor otherwise);
+
+/// The versions that this processor can run, the fastest last; all give the same.
+const std::vector<DescriptorSearch*>& descriptorSearches();
+
 /// Descriptors laid out so that a processor can compare eight of them with another one at a time.
 class DescriptorBlocks {
  public:
   explicit DescriptorBlocks(const std::vector<Descriptor>& descriptors);
 
-  std::size_t size() const { return size_; }
   void set(std::size_t index, const Descriptor& descriptor);
 
-  /// The first of the nearest that are nearer than `bound` bits, else {size(), bound}. Runs the
-  /// fastest version that the processor has; all give the same.
-  NearestDescriptor nearest(const Descriptor& query, int bound) const;
-
-  static constexpr std::size_t kLanes = 8;
-  /// Word by word; the last block is filled up with its last descriptor.
-  using Block = std::array<std::array<std::uint64_t, kLanes>, std::tuple_size<Descriptor>::value>;
+  /// The first of the nearest that are nearer than `bound` bits, else {number of descriptors, bound}.
+  NearestDescriptor nearest(const Descriptor& query, int bound,
+                            DescriptorSearch* search = descriptorSearches().back()) const {
+    return search(query, blocks_, {size_, bound});
+  }
 
  private:
   std::size_t size_;
-  std::vector<Block> blocks_;
+  std::vector<DescriptorBlock> blocks_;  ///< the last filled up with the last descriptor
 };
 
 }  // namespace revisit_slam

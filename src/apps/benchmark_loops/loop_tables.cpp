@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "loop_report.h"
+#include "revisit_slam/core/quantile.h"
 
 namespace revisit_slam {
 namespace {
@@ -17,10 +18,8 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+double quantileOrZero(const std::vector<double>& values, double share) {
+  return values.empty() ? 0.0 : quantile(values, share);
 }
 
 /// "3 of 4 (75 %)"
@@ -99,8 +98,9 @@ std::string errorColumns(const Constraints& constraints, LoopError JudgedConstra
   const auto rotations = valuesOf(constraints, [&](const auto& c) { return (c.*error).rotation; });
   return shareText(countIf(constraints, [&](const auto& c) { return c.*is_right; }),
                    constraints.size()) +
-         format(" | %.3f m, %.2f deg | %.2f m, %.2f deg |", quantile(translations, 0.5),
-                quantile(rotations, 0.5), quantile(translations, 1.0), quantile(rotations, 1.0));
+         format(" | %.3f m, %.2f deg | %.2f m, %.2f deg |", quantileOrZero(translations, 0.5),
+                quantileOrZero(rotations, 0.5), quantileOrZero(translations, 1.0),
+                quantileOrZero(rotations, 1.0));
 }
 
 std::string constraintTable(const Constraints& constraints) {
@@ -165,7 +165,7 @@ std::string timeTable(const std::vector<MapClosure>& maps) {
     std::vector<double> values;
     for (const MapClosure& map : maps) values.push_back(map.*member);
     text +=
-        format("| %s | %.0f ms | %.0f ms |\n", name, quantile(values, 0.5), quantile(values, 1.0));
+        format("| %s | %.0f ms | %.0f ms |\n", name, quantileOrZero(values, 0.5), quantileOrZero(values, 1.0));
   };
   line("recognition", &MapClosure::recognition_ms);
   line("registration", &MapClosure::registration_ms);
