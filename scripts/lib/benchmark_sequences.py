@@ -67,19 +67,19 @@ def given(text: str) -> Sequence:
     return Sequence(name, Path(bag), truth, None, "Given bag")
 
 
-def along(routes: List[Path]) -> Dict[str, Path]:
-    """Names of the drives along recorded routes: kitti07 for kitti_07.txt."""
-    return {route.stem.replace("_", ""): route for route in routes}
+def named(route: Path) -> str:
+    """Of the drive along it: kitti07 for kitti_07.txt."""
+    return route.stem.replace("_", "")
 
 
 def names(routes: List[Path]) -> List[str]:
     """Of all simulated drives."""
-    return [*along(routes), *dict(SIMULATED)]
+    return [*map(named, routes), *dict(SIMULATED)]
 
 
 def simulated(name: str, folder: Path, program: Path, routes: List[Path]) -> Sequence:
     """The bag is made unless the same command has made it before."""
-    route = along(routes).get(name)
+    route = {named(route): route for route in routes}.get(name)
     words = [*ALONG_ROUTE, str(route)] if route else list(dict(SIMULATED)[name])
     words += ["--seed", str(SEED)]
     command = " ".join(words)
