@@ -12,10 +12,10 @@ constexpr double kNewest = 0.1;
 
 }  // namespace
 
-void MotionCovariance::observe(const Tangent& prediction_error) {
-  const Tangent change = prediction_error - prediction_error_;
+void MotionCovariance::observe(const Tangent& deskew_error) {
+  const Tangent change = deskew_error - deskew_error_;
   mean_change_ += kNewest * (change.cwiseAbs() - mean_change_);
-  prediction_error_ = prediction_error;
+  deskew_error_ = deskew_error;
 }
 
 Matrix6 MotionCovariance::of(const InformationEstimate& estimate) const {

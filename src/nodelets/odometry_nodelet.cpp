@@ -68,6 +68,7 @@ class OdometryNodelet : public SlamNodelet {
   void startSession() {
     front_end_ = std::make_unique<FrontEnd>(config_);
     session_ = static_cast<std::int64_t>(ros::WallTime::now().toNSec());
+    scan_times_ = {};
   }
 
   // In the thread of the queue.

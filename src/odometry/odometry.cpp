@@ -2,6 +2,7 @@
 #include "revisit_slam/odometry/odometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace revisit_slam {
@@ -10,6 +11,14 @@ namespace {
 /// Down-sampling of the published system, in voxels of the map: fine for the map, coarse for ICP.
 constexpr double kMapPointSpacing = 0.5;
 constexpr double kSourcePointSpacing = 1.5;
+
+/// How far a small motion moves the points, m.
+double rmsShift(const Points& points_base, const Tangent& motion) {
+  const Eigen::Vector3f v = motion.head<3>().cast<float>(), omega = motion.tail<3>().cast<float>();
+  double sum = 0.0;
+  for (const Eigen::Vector3f& p : points_base) sum += (v + omega.cross(p)).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, points_base.size())));
+}
 
 }  // namespace
 
@@ -73,7 +82,10 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
       registration_.align(registered.source_base, map_, T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
   if (scans_ == 1 && !long_gap) startAgain(scan, seconds, registered);
-  registered.prediction_error = log(T_odom_predicted.inverse() * registered.T_odom_base);
+  const bool has_motion = scans_ > 1 && !long_gap;
+  const Pose T_odom_deskewed =
+      has_motion ? deskewAgain(scan, seconds, T_odom_predicted, registered) : T_odom_predicted;
+  registered.deskew_error = log(T_odom_deskewed.inverse() * registered.T_odom_base);
   clock.stage("register");
 
   if (before_insertion_ && !map_.empty()) before_insertion_(registered, map_);
@@ -119,6 +131,26 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   registered.T_odom_base = registered.registration.T_odom_base;
 }
 
+/// The scan was deskewed with the motion before it. Where it turned out to move otherwise it is bent,
+/// and is deskewed with its own motion and registered once more. Returns where the motion leads that
+/// it was deskewed with in the end.
+Pose Odometry::deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
+                           RegisteredScan& registered) {
+  if (!registered.deskewed ||
+      registered.registration.outcome == RegistrationOutcome::too_few_correspondences)
+    return T_odom_predicted;
+  const Pose T_odom_moved = registered.T_odom_base;
+  const Tangent missed = log(T_odom_predicted.inverse() * T_odom_moved);
+  if (rmsShift(registered.source_base, missed) < config_.deskew_again_from) return T_odom_predicted;
+  const ConstantMotion motion(log(T_odom_previous_.inverse() * T_odom_moved) / seconds);
+  registered.points_base = preprocess(scan, motion, config_).points_base;
+  downsample(registered);
+  registered.registration =
+      registration_.align(registered.source_base, map_, T_odom_moved, registered.sigma);
+  registered.T_odom_base = registered.registration.T_odom_base;
+  return T_odom_moved;
+}
+
 double Odometry::secondsSincePrevious(Stamp stamp) const {
   return scans_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
 }
@@ -133,6 +165,7 @@ void Odometry::reconfigure(const OdometryConfig& config) {
   threshold_.setMaxRange(config.max_range);
   config_.min_range = config.min_range;
   config_.deskew = config.deskew;
+  config_.deskew_again_from = config.deskew_again_from;
   config_.max_prediction_time = config.max_prediction_time;
 }
 

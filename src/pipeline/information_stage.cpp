@@ -18,7 +18,7 @@ InformationStage::InformationStage(const InformationConfig& config)
 InformedScan InformationStage::inform(std::shared_ptr<const RegisteredScan> scan) {
   InformedScan informed;
   informed.scan = std::move(scan);
-  covariance_.observe(informed.scan->prediction_error);
+  covariance_.observe(informed.scan->deskew_error);
   if (informed.scan->problem.points_base.empty()) return informed;
   arena_.execute([&] { informed.estimate = estimator_.estimate(informed.scan->problem); });
   informed.source = InformationSource::estimated;
@@ -28,7 +28,7 @@ InformedScan InformationStage::inform(std::shared_ptr<const RegisteredScan> scan
 }
 
 InformedScan InformationStage::repeat(std::shared_ptr<const RegisteredScan> scan) {
-  covariance_.observe(scan->prediction_error);
+  covariance_.observe(scan->deskew_error);
   return {std::move(scan), last_estimate_, InformationSource::repeated,
           covariance_.of(last_estimate_)};
 }

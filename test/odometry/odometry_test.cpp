@@ -44,6 +44,26 @@ TEST(Odometry, StartingInMotionDeskewsTheSecondScanAsIfTheMotionHadBeenKnown) {
             0.03);
 }
 
+TEST(Odometry, ScansAreDeskewedWithTheirOwnMotionWhereItIsNotThePredictedOne) {
+  const Drive drive = walkInRoom(40);
+  const auto meanErrorOfMotions = [&](double deskew_again_from) {
+    OdometryConfig config = roomConfig();
+    config.deskew_again_from = deskew_again_from;
+    Odometry odometry(config);
+    Pose T_odom_before;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+      const Pose T_odom_base = odometry.registerScan(drive.scans[i]).scan->T_odom_base;
+      if (i >= 10)
+        sum += distanceBetween(T_odom_before.inverse() * T_odom_base,
+                               drive.T_first_base[i - 1].inverse() * drive.T_first_base[i]);
+      T_odom_before = T_odom_base;
+    }
+    return sum / static_cast<double>(drive.scans.size() - 10);
+  };
+  EXPECT_LT(meanErrorOfMotions(0.05), 0.5 * meanErrorOfMotions(100.0));
+}
+
 TEST(Odometry, StartsWhereItIs) {
   const auto result = Odometry(roomConfig()).registerScan(driveInRoom(1).scans[0]);
   EXPECT_EQ(result.scan->registration.outcome, RegistrationOutcome::map_empty);

@@ -23,8 +23,8 @@ struct RegisteredScan {
   Stamp stamp;  ///< the instant at which the pose is valid
   Pose T_odom_base;
   Tangent velocity_base = Tangent::Zero();  ///< [m/s; rad/s], mean since the previous scan
-  /// Log(T_odom_predicted^-1 * T_odom_base): what the constant-velocity prediction missed.
-  Tangent prediction_error = Tangent::Zero();
+  /// What the motion that the scan was deskewed with missed: Log(T_odom_deskewed^-1 * T_odom_base).
+  Tangent deskew_error = Tangent::Zero();
   Points points_base;       ///< all points in range, deskewed to `stamp`
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
   Points source_base;       ///< the down-sampled points that were registered

@@ -17,7 +17,7 @@ struct InformationConfig {
   double min_eigenvalue_share = 0.03;
   double weak_ratio = 0.1;
   double calibration = 0.08;
-  double deskew_share = 0.74;
+  double deskew_share = 1.08;
   int max_waiting = 10;
 
   template <typename Visitor>
@@ -39,7 +39,7 @@ struct InformationConfig {
     v("calibration", calibration, Range{1e-3, 1e6}, "",
       "factor on the covariance of a registration, measured against ground truth");
     v("deskew_share", deskew_share, Range{0.0, 10.0}, "",
-      "share of the mean change of the prediction's error that is the deviation of a motion, measured "
+      "share of the mean change of the deskewing's error that is the deviation of a motion, measured "
       "likewise");
     v("max_waiting", max_waiting, Range{1, 10000}, "scans",
       "live: with more scans waiting the information of the scan before is repeated, and counted");

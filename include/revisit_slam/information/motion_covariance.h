@@ -14,9 +14,9 @@ namespace revisit_slam {
 ///
 /// The first term is that of the registration: the information has the unit of the objective, and
 /// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the mean
-/// squared residual at the solution. The second term is that of deskewing: what the constant-velocity
-/// prediction missed of a motion, u, bent the scan by as much from its first point to its last, and
-/// moves its pose by a share k of it, whatever the geometry. Under constant acceleration it moves all
+/// squared residual at the solution. The second term is that of deskewing: what the motion that a scan
+/// was deskewed with missed, u, bent the scan by as much from its first point to its last, and moves
+/// its pose by a share k of it, whatever the geometry. Under constant acceleration it moves all
 /// poses alike and leaves the motions right; what counts is how u changes from scan to scan. E is a
 /// running mean for each axis; that of squares would be ruled by few scans. The factors were measured
 /// against ground truth (docs/information.md).
@@ -24,8 +24,8 @@ class MotionCovariance {
  public:
   explicit MotionCovariance(const InformationConfig& config) { reconfigure(config); }
 
-  /// Takes the prediction error of the next scan into the running mean.
-  void observe(const Tangent& prediction_error);
+  /// Takes the deskewing's error of the next scan into the running mean.
+  void observe(const Tangent& deskew_error);
 
   Matrix6 of(const InformationEstimate& estimate) const;
 
@@ -34,7 +34,7 @@ class MotionCovariance {
  private:
   double calibration_;
   double deskew_share_;
-  Tangent prediction_error_ = Tangent::Zero();  // of the scan before
+  Tangent deskew_error_ = Tangent::Zero();  // of the scan before
   Tangent mean_change_ = Tangent::Zero();
 };
 

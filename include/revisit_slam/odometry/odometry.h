@@ -56,6 +56,8 @@ class Odometry {
   OdometryResult registerInArena(const Scan& scan);
   void downsample(RegisteredScan& registered);
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
+  Pose deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
+                   RegisteredScan& registered);
   double secondsSincePrevious(Stamp stamp) const;
   void updateMotion(const Pose& T_odom_base, double seconds);
 
