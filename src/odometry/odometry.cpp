@@ -131,24 +131,26 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   registered.T_odom_base = registered.registration.T_odom_base;
 }
 
-/// The scan was deskewed with the motion before it. Where it turned out to move otherwise it is bent,
-/// and is deskewed with its own motion and registered once more. Returns where the motion leads that
-/// it was deskewed with in the end.
+/// The scan was deskewed with the motion before it. Where it turned out to turn otherwise it is bent,
+/// and is deskewed with its own turn and registered once more. Its own translation stays out of it:
+/// where nothing holds the estimate along a road, it would follow itself. Returns where the motion
+/// leads that it was deskewed with in the end.
 Pose Odometry::deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
                            RegisteredScan& registered) {
-  if (!registered.deskewed ||
+  if (config_.deskew_again_from <= 0.0 || !registered.deskewed ||
       registered.registration.outcome == RegistrationOutcome::too_few_correspondences)
     return T_odom_predicted;
-  const Pose T_odom_moved = registered.T_odom_base;
-  const Tangent missed = log(T_odom_predicted.inverse() * T_odom_moved);
+  Tangent velocity = log(T_odom_previous_.inverse() * registered.T_odom_base) / seconds;
+  velocity.head<3>() = motion_.velocity().head<3>();
+  const Tangent missed = seconds * (velocity - motion_.velocity());
   if (rmsShift(registered.source_base, missed) < config_.deskew_again_from) return T_odom_predicted;
-  const ConstantMotion motion(log(T_odom_previous_.inverse() * T_odom_moved) / seconds);
+  const ConstantMotion motion(velocity);
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
-  registered.registration =
-      registration_.align(registered.source_base, map_, T_odom_moved, registered.sigma);
+  registered.registration = registration_.align(registered.source_base, map_,
+                                                registered.T_odom_base, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
-  return T_odom_moved;
+  return T_odom_previous_ * motion.after(seconds);
 }
 
 double Odometry::secondsSincePrevious(Stamp stamp) const {

@@ -63,7 +63,7 @@ struct OdometryConfig {
   double max_range = 100.0;
   double min_range = 0.5;
   bool deskew = true;
-  double deskew_again_from = 0.05;
+  double deskew_again_from = 0.0;
   double max_prediction_time = 1.0;
   int threads = 2;
   LocalVoxelMapConfig map;
@@ -76,8 +76,8 @@ struct OdometryConfig {
     v("min_range", min_range, Range{0.0, 100.0}, "m", "points nearer to the sensor are dropped");
     v("deskew", deskew, "undo the motion within a scan where its point times are known");
     v("deskew_again_from", deskew_again_from, Range{0.0, 100.0}, "m",
-      "where the motion turns out to differ so much from the predicted one, mean of the points, the "
-      "scan is deskewed and registered again with its own");
+      "where a scan turns out to turn so much otherwise than predicted, mean of the points, it is "
+      "deskewed and registered again; 0: never");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
       "the motion is extrapolated over longer gaps only this far, and the tolerance starts anew");
     v("threads", threads, Range{1, 64}, "", "threads of the odometry; results do not depend on it");
