@@ -121,14 +121,10 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   const ConstantMotion motion(log(registered.T_odom_base) / seconds);
   RegisteredScan first_again;
   first_again.points_base = preprocess(*first, motion, config_).points_base;
-  registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(first_again);
   map_ = LocalVoxelMap(config_.map, config_.registration.planes);
   map_.insert(map_points_base_, Pose::identity());
-  downsample(registered);
-  registered.registration = registration_.align(registered.source_base, map_,
-                                                registered.T_odom_base, registered.sigma);
-  registered.T_odom_base = registered.registration.T_odom_base;
+  registerAgain(scan, motion, registered);
 }
 
 /// The scan was deskewed with the motion before it. Where it turned out to turn otherwise it is bent,
@@ -145,12 +141,18 @@ Pose Odometry::deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_
   const Tangent missed = seconds * (velocity - motion_.velocity());
   if (rmsShift(registered.source_base, missed) < config_.deskew_again_from) return T_odom_predicted;
   const ConstantMotion motion(velocity);
+  registerAgain(scan, motion, registered);
+  return T_odom_previous_ * motion.after(seconds);
+}
+
+/// From the pose found before, deskewed with this motion.
+void Odometry::registerAgain(const Scan& scan, const ConstantMotion& motion,
+                             RegisteredScan& registered) {
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
   registered.registration = registration_.align(registered.source_base, map_,
                                                 registered.T_odom_base, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
-  return T_odom_previous_ * motion.after(seconds);
 }
 
 double Odometry::secondsSincePrevious(Stamp stamp) const {

@@ -58,6 +58,7 @@ class Odometry {
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
   Pose deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
                    RegisteredScan& registered);
+  void registerAgain(const Scan& scan, const ConstantMotion& motion, RegisteredScan& registered);
   double secondsSincePrevious(Stamp stamp) const;
   void updateMotion(const Pose& T_odom_base, double seconds);
 
