@@ -15,29 +15,36 @@ constexpr std::uint64_t kLargestCall = (std::uint64_t{1} << (64 - kKeyBits)) - 1
 
 }  // namespace
 
-void VoxelFilter::filter(const Points& input, double voxel_size, Points& output) {
-  filterInOrder(input, voxel_size, output, [i = std::size_t{0}]() mutable { return i++; });
+const VoxelFilter::Indices& VoxelFilter::filter(const Points& input, double voxel_size,
+                                                Points& output) {
+  return filterInOrder(input, voxel_size, output, [i = std::size_t{0}]() mutable { return i++; });
 }
 
-void VoxelFilter::filterSpread(const Points& input, double voxel_size, Points& output) {
+const VoxelFilter::Indices& VoxelFilter::filterSpread(const Points& input, double voxel_size,
+                                                      Points& output) {
   SpreadOrder order(input.size());
-  filterInOrder(input, voxel_size, output, [&] { return order.next(); });
+  return filterInOrder(input, voxel_size, output, [&] { return order.next(); });
 }
 
 template <typename NextIndex>
-void VoxelFilter::filterInOrder(const Points& input, double voxel_size, Points& output,
-                                NextIndex next) {
+const VoxelFilter::Indices& VoxelFilter::filterInOrder(const Points& input, double voxel_size,
+                                                       Points& output, NextIndex next) {
   output.clear();
+  kept_.clear();
   prepareTable(input.size());
   const float scale = static_cast<float>(1.0 / voxel_size);
   std::uint64_t previous_key = ~std::uint64_t{0};  // no packed voxel: neighbours on a ring repeat
   for (std::size_t i = 0; i < input.size(); ++i) {
-    const Eigen::Vector3f& point = input[next()];
+    const std::size_t index = next();
+    const Eigen::Vector3f& point = input[index];
     const std::uint64_t key = packVoxel<kBitsPerAxis>(voxelOf<float>(point * scale));
     if (key == previous_key) continue;
     previous_key = key;
-    if (insert(key)) output.push_back(point);
+    if (!insert(key)) continue;
+    output.push_back(point);
+    kept_.push_back(static_cast<std::uint32_t>(index));
   }
+  return kept_;
 }
 
 void VoxelFilter::prepareTable(std::size_t points) {

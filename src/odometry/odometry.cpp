@@ -12,12 +12,11 @@ namespace {
 constexpr double kMapPointSpacing = 0.5;
 constexpr double kSourcePointSpacing = 1.5;
 
-/// How far a small motion moves the points, m.
-double rmsShift(const Points& points_base, const Tangent& motion) {
-  const Eigen::Vector3f v = motion.head<3>().cast<float>(), omega = motion.tail<3>().cast<float>();
-  double sum = 0.0;
-  for (const Eigen::Vector3f& p : points_base) sum += (v + omega.cross(p)).squaredNorm();
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, points_base.size())));
+void select(const std::vector<float>& values, const VoxelFilter::Indices& indices,
+            std::vector<float>& selected) {
+  selected.clear();
+  if (values.empty()) return;
+  for (const std::uint32_t index : indices) selected.push_back(values[index]);
 }
 
 }  // namespace
@@ -53,8 +52,12 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
                                                    : OdometryOutcome::time_went_back;
     return result;
   }
+  const double seconds = secondsSincePrevious(scan.stamp);
+  const bool long_gap = seconds > config_.max_prediction_time;
+  const bool knows_motion = scans_ > 1 && !long_gap;
   StageClock clock;
-  PreprocessedScan preprocessed = preprocess(scan, motion_, config_);
+  PreprocessedScan preprocessed =
+      preprocess(scan, motion_, config_, knows_motion ? seconds : 0.0);
   result.too_near = preprocessed.too_near;
   result.too_far = preprocessed.too_far;
   if (preprocessed.points_base.empty()) {
@@ -67,25 +70,23 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   registered.deskewed = preprocessed.deskewed;
   registered.sensor_base = scan.T_base_sensor.translation;
   registered.points_base = std::move(preprocessed.points_base);
+  lags_ = std::move(preprocessed.lags);
   clock.stage("preprocess");
 
   downsample(registered);
   clock.stage("downsample");
 
-  const double seconds = secondsSincePrevious(scan.stamp);
-  const bool long_gap = seconds > config_.max_prediction_time;
   const Pose T_odom_predicted =
       T_odom_previous_ * motion_.after(std::min(seconds, config_.max_prediction_time));
   registered.sigma = long_gap ? std::max(config_.threshold.initial, threshold_.sigma())
                               : threshold_.sigma();
-  registered.registration =
-      registration_.align(registered.source_base, map_, T_odom_predicted, registered.sigma);
+  registered.registration = registration_.align(registered.source_base, source_lags_, map_,
+                                                T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
   if (scans_ == 1 && !long_gap) startAgain(scan, seconds, registered);
-  const bool has_motion = scans_ > 1 && !long_gap;
-  const Pose T_odom_deskewed =
-      has_motion ? deskewAgain(scan, seconds, T_odom_predicted, registered) : T_odom_predicted;
-  registered.deskew_error = log(T_odom_deskewed.inverse() * registered.T_odom_base);
+  registered.deskew_error =
+      log(T_odom_predicted.inverse() * registered.T_odom_base) - registered.registration.bend;
+  if (!lags_.empty()) deskewAgain(registered);
   clock.stage("register");
 
   if (before_insertion_ && !map_.empty()) before_insertion_(registered, map_);
@@ -106,9 +107,14 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
 
 void Odometry::downsample(RegisteredScan& registered) {
   const double voxel_size = config_.map.voxel_size;
-  voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_);
-  voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
-                             registered.source_base);
+  select(lags_,
+         voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size,
+                              map_points_base_),
+         map_lags_);
+  select(map_lags_,
+         voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
+                                    registered.source_base),
+         source_lags_);
 }
 
 /// Nothing was known of the motion when the first two scans were deskewed. From both as they are it
@@ -124,35 +130,19 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   downsample(first_again);
   map_ = LocalVoxelMap(config_.map, config_.registration.planes);
   map_.insert(map_points_base_, Pose::identity());
-  registerAgain(scan, motion, registered);
-}
-
-/// The scan was deskewed with the motion before it. Where it turned out to turn otherwise it is bent,
-/// and is deskewed with its own turn and registered once more. Its own translation stays out of it:
-/// where nothing holds the estimate along a road, it would follow itself. Returns where the motion
-/// leads that it was deskewed with in the end.
-Pose Odometry::deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
-                           RegisteredScan& registered) {
-  if (config_.deskew_again_from <= 0.0 || !registered.deskewed ||
-      registered.registration.outcome == RegistrationOutcome::too_few_correspondences)
-    return T_odom_predicted;
-  Tangent velocity = log(T_odom_previous_.inverse() * registered.T_odom_base) / seconds;
-  velocity.head<3>() = motion_.velocity().head<3>();
-  const Tangent missed = seconds * (velocity - motion_.velocity());
-  if (rmsShift(registered.source_base, missed) < config_.deskew_again_from) return T_odom_predicted;
-  const ConstantMotion motion(velocity);
-  registerAgain(scan, motion, registered);
-  return T_odom_previous_ * motion.after(seconds);
-}
-
-/// From the pose found before, deskewed with this motion.
-void Odometry::registerAgain(const Scan& scan, const ConstantMotion& motion,
-                             RegisteredScan& registered) {
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
-  registered.registration = registration_.align(registered.source_base, map_,
+  registered.registration = registration_.align(registered.source_base, {}, map_,
                                                 registered.T_odom_base, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
+}
+
+/// With what the registration found that the prediction had missed.
+void Odometry::deskewAgain(RegisteredScan& registered) {
+  const Tangent& bend = registered.registration.bend;
+  straighten(registered.points_base, lags_, bend);
+  straighten(map_points_base_, map_lags_, bend);
+  straighten(registered.source_base, source_lags_, bend);
 }
 
 double Odometry::secondsSincePrevious(Stamp stamp) const {
@@ -169,7 +159,6 @@ void Odometry::reconfigure(const OdometryConfig& config) {
   threshold_.setMaxRange(config.max_range);
   config_.min_range = config.min_range;
   config_.deskew = config.deskew;
-  config_.deskew_again_from = config.deskew_again_from;
   config_.max_prediction_time = config.max_prediction_time;
 }
 

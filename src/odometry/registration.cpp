@@ -2,8 +2,10 @@
 #include "revisit_slam/odometry/registration.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "revisit_slam/geometry/chunks.h"
 #include "revisit_slam/geometry/se3.h"
@@ -14,6 +16,34 @@ namespace {
 constexpr std::size_t kChunkLength = 256;
 /// The bounds on distances are floats of values below 20 m.
 constexpr double kBoundMargin = 1e-5;
+
+/// The base while a scan was taken: at T_odom_base * Exp(-s * bend) for points with the lag s, to
+/// first order in s.
+class BentPose {
+ public:
+  BentPose(const Pose& T_odom_base, const Tangent& bend)
+      : R_(T_odom_base.rotationMatrix()), t_(T_odom_base.translation) {
+    const Pose T_odom_begin = T_odom_base * exp(-bend);
+    turned_ = T_odom_begin.rotationMatrix() - R_;
+    moved_ = T_odom_begin.translation - t_;
+  }
+
+  /// At the end of the scan.
+  const Eigen::Matrix3d& R_odom_base() const { return R_; }
+
+  Eigen::Vector3d toOdom(const Eigen::Vector3d& p_base, double lag) const {
+    return R_ * p_base + t_ + lag * (turned_ * p_base + moved_);
+  }
+
+ private:
+  Eigen::Matrix3d R_, turned_;
+  Eigen::Vector3d t_, moved_;
+};
+
+struct NormalEquations {
+  Matrix6 H;
+  Tangent g;
+};
 
 /// Sums over correspondences of which the normal equations consist. The residual of a point is
 /// r = R^T (T p - q) in the base frame with the Jacobian [I, -skew(p)], that of a plane with the
@@ -56,7 +86,7 @@ struct Sums {
     return *this;
   }
 
-  Tangent gaussNewtonStep() const {
+  NormalEquations normalEquations() const {
     Matrix6 H;
     H << w * Eigen::Matrix3d::Identity(), -skew(wp), skew(wp),
         wpp.trace() * Eigen::Matrix3d::Identity() - wpp;
@@ -64,7 +94,7 @@ struct Sums {
     g << wr, wpxr;
     H += plane_H;
     g += plane_g;
-    return H.ldlt().solve(-g);
+    return {H, g};
   }
 };
 
@@ -112,22 +142,44 @@ void addMatch(const Eigen::Vector3d& p, const Eigen::Vector3d& r, const Eigen::M
   }
 }
 
-/// The normal equations of one chunk of points at T_odom_base.
-Sums sumChunk(const Points& points_base, Chunk chunk, const LocalVoxelMap& map,
-              const Pose& T_odom_base, double sigma, const RegistrationConfig& config,
-              std::vector<CachedMatch>& matches) {
-  const Eigen::Matrix3d R = T_odom_base.rotationMatrix();
+/// The normal equations of one chunk of points at a pose.
+Sums sumChunk(const Points& points_base, const std::vector<float>& lags, Chunk chunk,
+              const LocalVoxelMap& map, const BentPose& pose, double sigma,
+              const RegistrationConfig& config, std::vector<CachedMatch>& matches) {
+  const Eigen::Matrix3d& R = pose.R_odom_base();
   const double max_distance = Registration::maxCorrespondenceDistance(sigma);
   Sums sums;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3d p = points_base[i].cast<double>();
-    const Eigen::Vector3d p_odom = R * p + T_odom_base.translation;
+    const Eigen::Vector3d p_odom = pose.toOdom(p, lags.empty() ? 0.0 : lags[i]);
     if (!isNearMap(p_odom, map, max_distance, matches[i])) continue;
     const Neighbour& neighbour = matches[i].neighbour;
     addMatch(p, R.transpose() * (p_odom - neighbour.point_odom), R, neighbour.surroundings, sigma,
              config, sums);
   }
   return sums;
+}
+
+double mean(const std::vector<float>& values) {
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// A bend as a linear function of how far the pose is from the prediction.
+Matrix6 bendPerDeviation(const Matrix6& H, const RegistrationConfig& config) {
+  Matrix6 damped = H;
+  damped.diagonal().array() += config.held_weight;
+  return config.own_motion * damped.ldlt().solve(H);
+}
+
+/// The pose moves the points by (1 - lag * bend_per_deviation) times its own step: by the mean lag's
+/// where the bend is to follow, which is near enough to converge.
+Tangent stepWithBend(NormalEquations equations, const Tangent& deviation,
+                     const Matrix6& bend_per_deviation, double mean_lag, double prediction_weight) {
+  equations.H -= mean_lag * equations.H * bend_per_deviation;
+  equations.H.diagonal().array() += prediction_weight;
+  equations.g += prediction_weight * deviation;
+  return equations.H.fullPivLu().solve(-equations.g);
 }
 
 }  // namespace
@@ -142,32 +194,47 @@ const char* toString(RegistrationOutcome outcome) {
   return "unknown";
 }
 
-RegistrationResult Registration::align(const Points& points_base, const LocalVoxelMap& map,
-                                       const Pose& T_odom_initial, double sigma) {
+RegistrationResult Registration::align(const Points& points_base, const std::vector<float>& lags,
+                                       const LocalVoxelMap& map, const Pose& T_odom_predicted,
+                                       double sigma) {
   RegistrationResult result;
-  result.T_odom_base = T_odom_initial;
+  result.T_odom_base = T_odom_predicted;
   if (map.empty()) return result;
   matches_.assign(points_base.size(), CachedMatch{});
   const Chunks chunks(points_base.size(), kChunkLength);
   std::vector<Sums> chunk_sums(chunks.size());
+  const auto deviation = [&] { return log(T_odom_predicted.inverse() * result.T_odom_base); };
+  const double mean_lag = mean(lags);
 
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
+    const BentPose pose(result.T_odom_base, result.bend);
     chunks.forEach([&](std::size_t index, Chunk chunk) {
-      chunk_sums[index] = sumChunk(points_base, chunk, map, result.T_odom_base, sigma,
-                                    config_, matches_);
+      chunk_sums[index] =
+          sumChunk(points_base, lags, chunk, map, pose, sigma, config_, matches_);
     });
     Sums sums;
     for (const Sums& chunk : chunk_sums) sums += chunk;
     result.correspondences = sums.count;
     if (sums.count < static_cast<std::size_t>(config_.min_correspondences)) {
-      result.T_odom_base = T_odom_initial;
+      result.T_odom_base = T_odom_predicted;
+      result.bend = Tangent::Zero();
       result.outcome = RegistrationOutcome::too_few_correspondences;
       return result;
     }
     result.rms_residual = std::sqrt(sums.r2 / static_cast<double>(sums.count));
-    const Tangent step = sums.gaussNewtonStep();
-    result.T_odom_base = boxplus(result.T_odom_base, step);
+    const NormalEquations equations = sums.normalEquations();
+    Tangent step;
+    if (lags.empty()) {
+      step = equations.H.ldlt().solve(-equations.g);
+      result.T_odom_base = boxplus(result.T_odom_base, step);
+    } else {
+      const Matrix6 bend_per_deviation = bendPerDeviation(equations.H, config_);
+      step = stepWithBend(equations, deviation(), bend_per_deviation, mean_lag,
+                          config_.prediction_weight);
+      result.T_odom_base = boxplus(result.T_odom_base, step);
+      result.bend = bend_per_deviation * deviation();
+    }
     ++result.iterations;
     if (step.norm() < config_.convergence) {
       result.outcome = RegistrationOutcome::converged;

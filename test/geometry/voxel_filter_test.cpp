@@ -58,6 +58,19 @@ TEST(VoxelFilter, TellsVoxelsApartFarFromTheOrigin) {
   EXPECT_EQ(output, input);
 }
 
+TEST(VoxelFilter, SaysWhichPointsItKeeps) {
+  const Points input = RandomNumbers(4).cloud(3000, 5.0);
+  VoxelFilter filter;
+  Points output;
+  const auto hold = [&](const VoxelFilter::Indices& kept) {
+    ASSERT_EQ(kept.size(), output.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(output[i], input[kept[i]]) << i;
+  };
+  hold(filter.filter(input, 1.0, output));
+  EXPECT_LT(output.size(), input.size());
+  hold(filter.filterSpread(input, 1.0, output));
+}
+
 TEST(VoxelFilter, FiltersInTwoSteps) {
   RandomNumbers random(3);
   VoxelFilter filter;

@@ -44,11 +44,11 @@ TEST(Odometry, StartingInMotionDeskewsTheSecondScanAsIfTheMotionHadBeenKnown) {
             0.03);
 }
 
-TEST(Odometry, ScansMayBeDeskewedWithTheirOwnTurnWhereItIsNotThePredictedOne) {
+TEST(Odometry, DeskewsWithTheMotionOfTheScanItself) {
   const Drive drive = walkInRoom(40);
-  const auto meanErrorOfMotions = [&](double deskew_again_from) {
+  const auto meanErrorOfMotions = [&](double own_motion) {
     OdometryConfig config = roomConfig();
-    config.deskew_again_from = deskew_again_from;
+    config.registration.own_motion = own_motion;
     Odometry odometry(config);
     Pose T_odom_before;
     double sum = 0.0;
@@ -61,7 +61,7 @@ TEST(Odometry, ScansMayBeDeskewedWithTheirOwnTurnWhereItIsNotThePredictedOne) {
     }
     return sum / static_cast<double>(drive.scans.size() - 10);
   };
-  EXPECT_LT(meanErrorOfMotions(0.05), 0.5 * meanErrorOfMotions(0.0));
+  EXPECT_LT(meanErrorOfMotions(RegistrationConfig{}.own_motion), 0.5 * meanErrorOfMotions(0.0));
 }
 
 TEST(Odometry, StartsWhereItIs) {

@@ -78,6 +78,42 @@ TEST(Preprocess, DeskewingUndoesAConstantMotion) {
   }
 }
 
+TEST(Preprocess, LagsAreThoseOfThePointsThatWereKept) {
+  RandomNumbers random(6);
+  const Scan scan =
+      seenWhileMoving(random.cloud(30000, 60.0), Tangent::Zero(), Pose::identity(), random);
+  const auto result = preprocess(scan, ConstantMotion(), ranges(20.0, 60.0), 0.08);
+  ASSERT_EQ(result.lags.size(), result.points_base.size());
+  ASSERT_LT(result.lags.size(), scan.points.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < scan.points.size() && kept < result.lags.size(); ++i) {
+    if (scan.points[i] != result.points_base[kept]) continue;
+    EXPECT_FLOAT_EQ(result.lags[kept], std::min(1.0f, -scan.times[i] / 0.08f));
+    ++kept;
+  }
+  EXPECT_EQ(kept, result.lags.size());
+  EXPECT_TRUE(preprocess(scan, ConstantMotion(), ranges(20.0, 60.0)).lags.empty());
+}
+
+TEST(Preprocess, StraighteningUndoesWhatTheDeskewingMissed) {
+  RandomNumbers random(7);
+  const Points truth = random.cloud(20000, 40.0);
+  const Scan scan = seenWhileMoving(truth, driving(), random.pose(2.0), random);
+  Tangent guess = driving();
+  guess += Tangent::Constant(0.1);
+  PreprocessedScan result = preprocess(scan, ConstantMotion(guess), ranges(0.0, 200.0), 0.1);
+  const auto largestError = [&] {
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      largest = std::max(largest, (result.points_base[i] - truth[i]).norm());
+    return largest;
+  };
+  EXPECT_GT(largestError(), 0.4f);
+  straighten(result.points_base, result.lags,
+             log(exp(0.1 * guess).inverse() * exp(0.1 * driving())));
+  EXPECT_LT(largestError(), 0.03f);
+}
+
 TEST(Preprocess, WithoutTimesOrWhenToldSoPointsAreOnlyMovedToTheBase) {
   RandomNumbers random(4);
   const Pose T_base_sensor = random.pose(2.0);

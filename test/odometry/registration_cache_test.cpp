@@ -65,7 +65,7 @@ TEST(Registration, EqualsThePlainMethodWithoutItsCache) {
       const Points source = seenFrom(truth, seen);
       for (const auto& [registration, config] :
            {std::pair{&with_planes, planes}, {&with_points, points}}) {
-        const auto result = registration->align(source, map, initial, sigma);
+        const auto result = registration->align(source, {}, map, initial, sigma);
         const auto plain = alignPlainly(source, map, initial, sigma, config);
         EXPECT_EQ(result.iterations, plain.iterations);
         EXPECT_EQ(result.correspondences, plain.correspondences);

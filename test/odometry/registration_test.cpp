@@ -18,7 +18,7 @@ TEST(Registration, RecoversAKnownPerturbation) {
     const Pose truth = exp(random.tangent(2.0, 0.5));
     const Points source = seenFrom(truth, everyFifth(map.points()));
     const Pose initial = boxplus(truth, random.tangent(half_translation, angle));
-    const auto result = Registration({}).align(source, map, initial, kSigma);
+    const auto result = Registration({}).align(source, {}, map, initial, kSigma);
     EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
     EXPECT_LT(distanceBetween(truth, result.T_odom_base), 1e-3) << angle;
     EXPECT_GT(distanceBetween(truth, initial), 20 * distanceBetween(truth, result.T_odom_base));
@@ -33,7 +33,7 @@ TEST(Registration, AlignsOtherNoisySamplesOfTheRoom) {
   const Pose truth = exp(random.tangent(1.0, 0.3));
   const Points seen = SyntheticRoom().sample(truth.translation, 4000, 0.02, random);
   const Pose initial = boxplus(truth, random.tangent(0.2, 0.02));
-  const auto result = Registration({}).align(seenFrom(truth, seen), map, initial, kSigma);
+  const auto result = Registration({}).align(seenFrom(truth, seen), {}, map, initial, kSigma);
   EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
   const Tangent error = log(truth.inverse() * result.T_odom_base);
   EXPECT_LT(error.head<3>().norm(), 0.02);
@@ -46,7 +46,7 @@ TEST(Registration, GivesTheSameBitsForAnyNumberOfThreads) {
   const Pose initial = exp(RandomNumbers(5).tangent(0.3, 0.03));
   const auto on = [&](int threads) {
     return onThreads(threads, [&] {
-      return Registration({}).align(source, map, initial, kSigma).T_odom_base.matrix();
+      return Registration({}).align(source, {}, map, initial, kSigma).T_odom_base.matrix();
     });
   };
   const Eigen::Matrix4d one = on(1);
@@ -58,16 +58,16 @@ TEST(Registration, StaysAtThePredictionWithoutMapOrCorrespondences) {
   const Pose initial = exp(RandomNumbers(6).tangent(3.0, 1.0));
   const Points few(9, {0, 0, 0}), many(20, {0, 0, 0});
   LocalVoxelMap map({1.0, 20});
-  auto result = Registration({}).align(many, map, initial, kSigma);
+  auto result = Registration({}).align(many, {}, map, initial, kSigma);
   EXPECT_EQ(result.outcome, RegistrationOutcome::map_empty);
   EXPECT_EQ(result.T_odom_base.matrix(), initial.matrix());
   map.insert({{0.1f, 0, 0}}, initial);
-  result = Registration({}).align(few, map, initial, kSigma);
+  result = Registration({}).align(few, {}, map, initial, kSigma);
   EXPECT_EQ(result.outcome, RegistrationOutcome::too_few_correspondences);
   EXPECT_EQ(result.correspondences, 9u);
   EXPECT_EQ(result.T_odom_base.matrix(), initial.matrix());
   const Pose far_away{initial.rotation, initial.translation + Eigen::Vector3d(0, 0, 1.8)};
-  EXPECT_EQ(Registration({}).align(many, map, far_away, kSigma).outcome,
+  EXPECT_EQ(Registration({}).align(many, {}, map, far_away, kSigma).outcome,
             RegistrationOutcome::too_few_correspondences);
 }
 
@@ -76,7 +76,7 @@ TEST(Registration, StopsAtTheLargestNumberOfIterations) {
   const Points source = everyFifth(map.points());
   const Pose initial = exp(RandomNumbers(7).tangent(0.3, 0.03));
   const RegistrationConfig config{2, 1e-4, 10};
-  const auto result = Registration(config).align(source, map, initial, kSigma);
+  const auto result = Registration(config).align(source, {}, map, initial, kSigma);
   EXPECT_EQ(result.outcome, RegistrationOutcome::max_iterations);
   EXPECT_EQ(result.iterations, 2);
   EXPECT_LT(distanceBetween(result.T_odom_base, {}), distanceBetween(initial, {}));

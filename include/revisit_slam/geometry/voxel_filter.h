@@ -12,17 +12,21 @@ namespace revisit_slam {
 /// between calls, so that a call allocates nothing once the largest cloud has been seen.
 class VoxelFilter {
  public:
+  using Indices = std::vector<std::uint32_t>;
+
+  /// Returns which points of the input the output consists of, until the next call.
   /// `voxel_size` in metres. Coordinates up to 65,000 voxels from the origin are told apart.
-  void filter(const Points& input, double voxel_size, Points& output);
+  const Indices& filter(const Points& input, double voxel_size, Points& output);
 
   /// The same with the input taken in a spread order. The first point of a voxel in the order of the
   /// scan lies on the side from which the sensor turned, and what is registered by such points is
   /// drawn to that side; in the spread order it may lie anywhere.
-  void filterSpread(const Points& input, double voxel_size, Points& output);
+  const Indices& filterSpread(const Points& input, double voxel_size, Points& output);
 
  private:
   template <typename NextIndex>
-  void filterInOrder(const Points& input, double voxel_size, Points& output, NextIndex next);
+  const Indices& filterInOrder(const Points& input, double voxel_size, Points& output,
+                               NextIndex next);
   void prepareTable(std::size_t points);
   bool insert(std::uint64_t key);
 
@@ -31,6 +35,7 @@ class VoxelFilter {
   std::vector<std::uint64_t> table_;
   std::uint64_t mask_ = 0;
   std::uint64_t call_ = 0;
+  Indices kept_;
 };
 
 }  // namespace revisit_slam

@@ -56,9 +56,7 @@ class Odometry {
   OdometryResult registerInArena(const Scan& scan);
   void downsample(RegisteredScan& registered);
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
-  Pose deskewAgain(const Scan& scan, double seconds, const Pose& T_odom_predicted,
-                   RegisteredScan& registered);
-  void registerAgain(const Scan& scan, const ConstantMotion& motion, RegisteredScan& registered);
+  void deskewAgain(RegisteredScan& registered);
   double secondsSincePrevious(Stamp stamp) const;
   void updateMotion(const Pose& T_odom_base, double seconds);
 
@@ -69,7 +67,8 @@ class Odometry {
   Registration registration_;
   AdaptiveThreshold threshold_;
   VoxelFilter voxel_filter_;
-  Points map_points_base_;  // kept for its memory
+  std::vector<float> lags_, map_lags_, source_lags_;  // of the points of the scan
+  Points map_points_base_;                            // kept for its memory
 
   std::uint32_t scans_ = 0;
   std::optional<Scan> first_scan_;  // until the second is registered

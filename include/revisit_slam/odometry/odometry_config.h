@@ -25,6 +25,9 @@ struct RegistrationConfig {
   double within_plane_weight = 0.001;
   double scattered_points = 150.0;
   double sparse_weight = 0.02;
+  double own_motion = 0.667;
+  double held_weight = 500.0;
+  double prediction_weight = 20.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -42,6 +45,13 @@ struct RegistrationConfig {
       "fewer it weighs less in proportion");
     v("sparse_weight", sparse_weight, Range{0.0, 1.0}, "",
       "of points with few others around, or along one line, such as a ring of the sensor");
+    v("own_motion", own_motion, Range{0.0, 0.74}, "",
+      "share of what the predicted motion missed with which a scan is deskewed while it is "
+      "registered, in directions well held; 0: deskewed with the prediction alone");
+    v("held_weight", held_weight, Range{0.0, 1e9}, "",
+      "of matches that hold a direction so that half of that share remains");
+    v("prediction_weight", prediction_weight, Range{0.0, 1e9}, "",
+      "with which the predicted motion counts, beside those of matches, where own_motion does");
   }
 };
 
@@ -63,7 +73,6 @@ struct OdometryConfig {
   double max_range = 100.0;
   double min_range = 0.5;
   bool deskew = true;
-  double deskew_again_from = 0.0;
   double max_prediction_time = 1.0;
   int threads = 2;
   LocalVoxelMapConfig map;
@@ -75,9 +84,6 @@ struct OdometryConfig {
     v("max_range", max_range, Range{1.0, 1000.0}, "m", "points farther from the sensor are dropped");
     v("min_range", min_range, Range{0.0, 100.0}, "m", "points nearer to the sensor are dropped");
     v("deskew", deskew, "undo the motion within a scan where its point times are known");
-    v("deskew_again_from", deskew_again_from, Range{0.0, 100.0}, "m",
-      "where a scan turns out to turn so much otherwise than predicted, mean of the points, it is "
-      "deskewed and registered again; 0: never");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
       "the motion is extrapolated over longer gaps only this far, and the tolerance starts anew");
     v("threads", threads, Range{1, 64}, "", "threads of the odometry; results do not depend on it");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "revisit_slam/core/scan.h"
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
@@ -10,6 +12,9 @@ namespace revisit_slam {
 /// A scan's points in the base frame at the scan's stamp.
 struct PreprocessedScan {
   Points points_base;
+  /// How long before the stamp each point was seen, as part of the time since the previous scan and
+  /// at most 1; empty where nothing was deskewed or there is no such time.
+  std::vector<float> lags;
   std::size_t too_near = 0;
   std::size_t too_far = 0;
   bool deskewed = false;
@@ -17,7 +22,12 @@ struct PreprocessedScan {
 
 /// Drops points out of range of the sensor, expresses the others in the base frame and moves each
 /// to where it would have been seen at the scan's stamp, had the base moved with `motion_base`.
+/// `seconds_since_previous`: scan; 0: there is none that times could be related to.
 PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
-                            const OdometryConfig& config);
+                            const OdometryConfig& config, double seconds_since_previous = 0.0);
+
+/// Deskews points anew where the motion that they were deskewed with missed `bend` ([m; rad], small,
+/// in the base frame at the stamp) of the motion since the previous scan.
+void straighten(Points& points_base, const std::vector<float>& lags, const Tangent& bend);
 
 }  // namespace revisit_slam

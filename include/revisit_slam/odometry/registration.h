@@ -5,6 +5,7 @@
 
 #include "revisit_slam/core/pose.h"
 #include "revisit_slam/core/scan.h"
+#include "revisit_slam/geometry/se3.h"
 #include "revisit_slam/odometry/local_voxel_map.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
@@ -21,6 +22,9 @@ const char* toString(RegistrationOutcome outcome);
 
 struct RegistrationResult {
   Pose T_odom_base;
+  /// What the motion since the previous scan, by which the points were deskewed, is held to have
+  /// missed, [m; rad]; zero without lags. See `straighten`.
+  Tangent bend = Tangent::Zero();
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;
@@ -47,6 +51,14 @@ struct CachedMatch {
 /// a_i is small where the map points around are few or along one line. The rings that a sensor
 /// draws on the ground and on walls move along with it; taken as points they hold the estimate back
 /// and turn it (docs/odometry.md). With `planes` off a_i is 1 and all is point to point.
+///
+/// Points may come with lags (see PreprocessedScan). They were deskewed with the predicted motion,
+/// and the more T_odom_base differs from where that leads, d = Log(T_odom_predicted^-1 T_odom_base),
+/// the more the scan is bent. A point with the lag s is then taken as at T_odom_base Exp(-s b) p_i with
+///
+///   b = own_motion (H + held_weight I)^-1 H d,  H the Gauss-Newton matrix of the sum,
+///
+/// so that what the matches do not hold stays as predicted, and prediction_weight |d|^2 is added.
 class Registration {
  public:
   explicit Registration(const RegistrationConfig& config) : config_(config) {}
@@ -54,9 +66,10 @@ class Registration {
   /// Points with no map point nearer than this are left out, m.
   static double maxCorrespondenceDistance(double sigma) { return 3.0 * sigma; }
 
+  /// `lags`: one for each point, or none, and then T_odom_predicted is no more than where to begin.
   /// `sigma` in metres. Runs in the current TBB arena; the same bits for any number of threads.
-  RegistrationResult align(const Points& points_base, const LocalVoxelMap& map,
-                           const Pose& T_odom_initial, double sigma);
+  RegistrationResult align(const Points& points_base, const std::vector<float>& lags,
+                           const LocalVoxelMap& map, const Pose& T_odom_predicted, double sigma);
 
  private:
   RegistrationConfig config_;
