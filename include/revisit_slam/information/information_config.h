@@ -17,7 +17,7 @@ struct InformationConfig {
   double min_eigenvalue_share = 0.03;
   double weak_ratio = 0.1;
   double calibration = 0.08;
-  double deskew_share = 0.74;
+  double deskew_share = 1.1;
   int max_waiting = 10;
 
   template <typename Visitor>
