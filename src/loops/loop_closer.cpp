@@ -25,6 +25,13 @@ bool isFarForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& conf
          proposal.moved_translation > config.agreement.translation;
 }
 
+/// Found by place alone, and no other registration confirms it: then it has to be halfway between
+/// barely coherent and perfectly so.
+bool isIncoherentForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& config) {
+  return proposal.loop.origin == LoopOrigin::retroactive && config.min_coherence > 0.0 &&
+         proposal.registration.coherence < 0.5 * (config.min_coherence + 1.0);
+}
+
 /// Submaps made ready for registration, each once, for the pairs of one closure.
 class PreparedClouds {
  public:
@@ -165,9 +172,10 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
   }
   if (candidates.empty()) return;
   LoopProposal& first = proposals[candidates[0]];
-  if (candidates.size() == 1 && isFarForOneAlone(first, config_)) {
-    first.outcome = LoopOutcome::far_from_guess;
-    return;
+  if (candidates.size() == 1) {
+    if (isFarForOneAlone(first, config_)) first.outcome = LoopOutcome::far_from_guess;
+    if (isIncoherentForOneAlone(first, config_)) first.outcome = LoopOutcome::incoherent;
+    if (first.outcome != LoopOutcome::accepted) return;
   }
   const LoopOrigin origin = first.loop.origin;
   // For a place that was recognised its appearance speaks too, whatever the other walls do.

@@ -2,8 +2,10 @@
 #include "revisit_slam/loops/place_alignment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -20,6 +22,7 @@ using Pairs = std::vector<DirectedPair>;
 
 Pairs withDirections(const std::vector<PointPair>& pairs) {
   Pairs result;
+  result.reserve(pairs.size());
   for (const PointPair& pair : pairs)
     result.push_back({pair.source,
                       pair.target,
@@ -35,7 +38,8 @@ Eigen::Vector2d turnBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) 
 
 /// Least squares in the plane: the rotation is the angle of the summed products of the centred
 /// points, taken as complex numbers (Horn 1987, in two dimensions).
-Eigen::Isometry2d leastSquares(const Pairs& pairs) {
+template <typename SomePairs>
+Eigen::Isometry2d leastSquares(const SomePairs& pairs) {
   Eigen::Vector2d source = Eigen::Vector2d::Zero(), target = Eigen::Vector2d::Zero();
   for (const DirectedPair& pair : pairs) {
     source += pair.source / static_cast<double>(pairs.size());
@@ -115,23 +119,33 @@ class TurnOrder {
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
   };
 
-  explicit TurnOrder(Pairs pairs) : count_(pairs.size()) {
-    std::stable_sort(
-        pairs.begin(), pairs.end(),
-        [](const DirectedPair& a, const DirectedPair& b) { return a.angle < b.angle; });
+  explicit TurnOrder(const Pairs& pairs) : count_(pairs.size()) {
+    std::vector<std::pair<double, std::size_t>> order;  // lighter to sort than the pairs
+    order.reserve(count_);
+    for (const DirectedPair& pair : pairs) order.emplace_back(pair.angle, order.size());
+    std::sort(order.begin(), order.end());
+    thrice_.reserve(3 * count_);
     for (const double turn : {-2.0 * M_PI, 0.0, 2.0 * M_PI})
-      for (DirectedPair pair : pairs) {
-        pair.angle += turn;
-        thrice_.push_back(pair);
+      for (const auto& [angle, index] : order) {
+        thrice_.push_back(pairs[index]);
+        thrice_.back().angle += turn;
       }
   }
 
   Range all() const { return {at(count_), at(2 * count_)}; }
 
-  /// Those that follow this one of `all` and turn by at most `reach` more.
-  Range following(Iterator pair, double reach) const {
-    const Iterator last = pair + static_cast<std::ptrdiff_t>(count_);
-    return {pair + 1, std::upper_bound(pair + 1, last, pair->angle + reach, isBefore)};
+  /// Of each of `all` those that follow it and turn by at most `reach` more.
+  std::vector<Range> following(double reach) const {
+    std::vector<Range> ranges;
+    ranges.reserve(count_);
+    Iterator end = at(count_);
+    for (Iterator pair = all().begin(); pair != all().end(); ++pair) {
+      const Iterator last = pair + static_cast<std::ptrdiff_t>(count_);
+      end = std::max(end, pair + 1);
+      while (end != last && end->angle <= pair->angle + reach) ++end;
+      ranges.push_back({pair + 1, end});
+    }
+    return ranges;
   }
 
   /// Those that turn by at most `reach` more or less than this one of `all`, each once.
@@ -169,20 +183,20 @@ Pairs largestConsensus(const Pairs& pairs, const InlierTest& agree,
                        const PlanarAlignmentConfig& config) {
   const TurnOrder order(pairs);
   const double reach = 2.0 * config.max_turn;
+  const std::vector<TurnOrder::Range> seconds = order.following(reach);
   std::size_t samples = 0;
-  for (auto a = order.all().begin(); a != order.all().end(); ++a)
-    samples += order.following(a, reach).size();
+  for (const TurnOrder::Range& range : seconds) samples += range.size();
   SampleChoice choice(samples, config);
-  Pairs sample;
   std::ptrdiff_t most = 0;
   Eigen::Isometry2d best = Eigen::Isometry2d::Identity();
-  for (auto a = order.all().begin(); a != order.all().end(); ++a) {
-    const TurnOrder::Range near = order.around(a, reach);
-    for (const DirectedPair& b : order.following(a, reach)) {
+  for (const TurnOrder::Range& range : seconds) {
+    const auto a = range.first - 1;
+    std::optional<TurnOrder::Range> near;
+    for (const DirectedPair& b : range) {
       if (!choice.next() || !fitTogether(*a, b, agree, config.inlier_radius)) continue;
-      sample = {*a, b};
-      const Eigen::Isometry2d T = leastSquares(sample);
-      const auto inliers = std::count_if(near.begin(), near.end(), [&](const DirectedPair& pair) {
+      if (!near) near = order.around(a, reach);
+      const Eigen::Isometry2d T = leastSquares(std::array<DirectedPair, 2>{*a, b});
+      const auto inliers = std::count_if(near->begin(), near->end(), [&](const DirectedPair& pair) {
         return agree(T, pair);
       });
       if (inliers <= most) continue;

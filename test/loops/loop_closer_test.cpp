@@ -68,6 +68,20 @@ TEST_F(LoopCloserTest, APairThatNoOtherConfirmsMayTurnLess) {
   EXPECT_LT(alone[0].moved_rotation, LoopCloserConfig().max_rotation);
 }
 
+TEST_F(LoopCloserTest, AloneAndFoundByPlaceOnlyAPairHasToBeMoreCoherent) {
+  const std::vector<PlacedSubmap> alone{placeByOdometry(*source_, T_target_source_).front()};
+  const auto targets = placeByOdometry(*target_, Pose::identity());
+  const LoopOrigin retroactive = LoopOrigin::retroactive;
+  LoopCloserConfig config;
+  const LoopProposal usual = LoopCloser(config, {}).close(alone, targets, retroactive).front();
+  ASSERT_EQ(usual.outcome, LoopOutcome::accepted);
+  config.min_coherence = usual.registration.coherence - 1e-6;
+  const LoopCloser strict(config, {});
+  EXPECT_EQ(strict.close(alone, targets, LoopOrigin::appearance).front().outcome,
+            LoopOutcome::accepted);
+  EXPECT_EQ(strict.close(alone, targets, retroactive).front().outcome, LoopOutcome::incoherent);
+}
+
 TEST_F(LoopCloserTest, WhereTheGraphPlacedThemRegistrationsMayNotDifferByDrift) {
   auto sources = placeByOdometry(*source_, T_target_source_);
   const auto targets = placeByOdometry(*target_, Pose::identity());
