@@ -64,6 +64,24 @@ TEST(Odometry, DeskewsWithTheMotionOfTheScanItself) {
   EXPECT_LT(meanErrorOfMotions(RegistrationConfig{}.own_motion), 0.5 * meanErrorOfMotions(0.0));
 }
 
+TEST(Odometry, HandsOnPointsThatAreDeskewedWithTheMotionOfTheScanItself) {
+  const Drive drive = walkInRoom(40);
+  const Scan& last = drive.scans.back();
+  const Points truth = preprocess(last, ConstantMotion(drive.last_velocity), roomConfig()).points_base;
+  const auto meanErrorOfPoints = [&](double own_motion) {
+    OdometryConfig config = roomConfig();
+    config.registration.own_motion = own_motion;
+    Odometry odometry(config);
+    OdometryResult result;
+    for (const Scan& scan : drive.scans) result = odometry.registerScan(scan);
+    const Points& points = result.scan->points_base;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) sum += (points.at(i) - truth[i]).norm();
+    return sum / static_cast<double>(truth.size());
+  };
+  EXPECT_LT(meanErrorOfPoints(RegistrationConfig{}.own_motion), 0.6 * meanErrorOfPoints(0.0));
+}
+
 TEST(Odometry, StartsWhereItIs) {
   const auto result = Odometry(roomConfig()).registerScan(driveInRoom(1).scans[0]);
   EXPECT_EQ(result.scan->registration.outcome, RegistrationOutcome::map_empty);
