@@ -23,7 +23,8 @@ struct LoopCloserConfig {
     v.group("registration", registration);
     v("min_fitness", min_fitness, Range{0.0, 1.0}, "", "tau_f, share of voxels with a counterpart");
     v("min_coherence", min_coherence, Range{0.0, 1.0}, "",
-      "share of surfaces that fit where there are surfaces near; 0 switches the check off");
+      "share of surfaces that fit where there are surfaces near, halfway from it to 1 for a "
+      "retroactive pair alone; 0 switches the check off");
     v("max_translation", max_translation, Range{0.0, 1000.0}, "m",
       "a registration that moved farther from its guess is rejected");
     v("max_rotation", max_rotation, Range{0.0, 180.0}, "deg",

@@ -51,7 +51,7 @@ struct RegistrationConfig {
     v("held_weight", held_weight, Range{0.0, 1e9}, "",
       "of matches that hold a direction so that half of that share remains");
     v("prediction_weight", prediction_weight, Range{0.0, 1e9}, "",
-      "with which the predicted motion counts, beside those of matches, where own_motion does");
+      "of the predicted motion beside those of the matches, in scans that are deskewed");
   }
 };
 
