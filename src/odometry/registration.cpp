@@ -14,6 +14,8 @@ namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kChunkLength = 256;
+/// As long as the tolerance is not the finest, a step that is so many times longer ends ICP.
+constexpr double kCoarseConvergence = 10.0;
 /// The bounds on distances are floats of values below 20 m.
 constexpr double kBoundMargin = 1e-5;
 
@@ -205,6 +207,7 @@ RegistrationResult Registration::align(const Points& points_base, const std::vec
   std::vector<Sums> chunk_sums(chunks.size());
   const auto deviation = [&] { return log(T_odom_predicted.inverse() * result.T_odom_base); };
   const double mean_lag = mean(lags);
+  bool has_ended_coarser = false;
 
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
@@ -217,6 +220,10 @@ RegistrationResult Registration::align(const Points& points_base, const std::vec
     for (const Sums& chunk : chunk_sums) sums += chunk;
     result.correspondences = sums.count;
     if (sums.count < static_cast<std::size_t>(config_.min_correspondences)) {
+      if (has_ended_coarser) {
+        result.outcome = RegistrationOutcome::converged;
+        break;
+      }
       result.T_odom_base = T_odom_predicted;
       result.bend = Tangent::Zero();
       result.outcome = RegistrationOutcome::too_few_correspondences;
@@ -236,10 +243,14 @@ RegistrationResult Registration::align(const Points& points_base, const std::vec
       result.bend = bend_per_deviation * deviation();
     }
     ++result.iterations;
-    if (step.norm() < config_.convergence) {
+    const bool is_finest = sigma <= config_.finest_sigma;
+    if (step.norm() >= (is_finest ? 1.0 : kCoarseConvergence) * config_.convergence) continue;
+    if (is_finest) {
       result.outcome = RegistrationOutcome::converged;
       break;
     }
+    sigma = std::max(config_.finest_sigma, 0.5 * sigma);
+    has_ended_coarser = true;
   }
   return result;
 }

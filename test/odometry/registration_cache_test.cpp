@@ -15,7 +15,14 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
                                 double sigma, const RegistrationConfig& config) {
   RegistrationResult result;
   double step_length = 1.0;
-  while (step_length >= config.convergence && result.iterations < config.max_iterations) {
+  while (result.iterations < config.max_iterations) {
+    const bool is_finest = sigma <= config.finest_sigma;
+    if (is_finest && step_length < config.convergence) break;
+    if (!is_finest && step_length < 10.0 * config.convergence) {
+      sigma = std::max(config.finest_sigma, 0.5 * sigma);
+      step_length = 1.0;
+      continue;
+    }
     Matrix6 H = Matrix6::Zero();
     Tangent g = Tangent::Zero();
     result.correspondences = 0;

@@ -40,6 +40,45 @@ TEST(Registration, AlignsOtherNoisySamplesOfTheRoom) {
   EXPECT_LT(error.tail<3>().norm(), 0.002);
 }
 
+/// A screen that is new to the map and nearer than any wall: its points match the wall behind.
+Points screenBefore(const Points& wall_points, float ahead) {
+  Points screen;
+  for (const Eigen::Vector3f& p : wall_points) screen.push_back(p * (1.0f - ahead / p.norm()));
+  return screen;
+}
+
+TEST(Registration, WhatIsNewToTheMapDoesNotPullOnceTheToleranceIsFine) {
+  const LocalVoxelMap map = mapOfRoom(0.0);
+  const Points known = everyFifth(map.points());
+  Points seen = known;
+  for (const Eigen::Vector3f& p : screenBefore(known, 0.8f))
+    if (p.x() > 0.0f) seen.push_back(p);
+  const Pose truth = exp(RandomNumbers(7).tangent(0.2, 0.02));
+  const auto errorWith = [&](double finest_sigma) {
+    RegistrationConfig config;
+    config.finest_sigma = finest_sigma;
+    const auto result =
+        Registration(config).align(seenFrom(truth, seen), {}, map, Pose::identity(), 2.0);
+    EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
+    return distanceBetween(truth, result.T_odom_base);
+  };
+  EXPECT_LT(errorWith(0.1), 0.2 * errorWith(100.0));
+}
+
+TEST(Registration, WhereAFineToleranceLeavesTooFewMatchesTheCoarserResultStands) {
+  const LocalVoxelMap map = mapOfRoom(0.0);
+  Points apart;
+  for (const Eigen::Vector3f& p : everyFifth(map.points()))
+    if (apart.size() < 12) apart.push_back(p * (apart.size() % 2 ? 0.9f : 1.1f));
+  const Pose initial = exp(RandomNumbers(8).tangent(0.1, 0.01));
+  RegistrationConfig config;
+  config.finest_sigma = 0.01;
+  const auto result = Registration(config).align(apart, {}, map, initial, 2.0);
+  EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
+  EXPECT_LT(result.correspondences, 10u);
+  EXPECT_NE(result.T_odom_base.matrix(), initial.matrix());
+}
+
 TEST(Registration, GivesTheSameBitsForAnyNumberOfThreads) {
   const LocalVoxelMap map = mapOfRoom(0.02);
   const Points source = everyFifth(map.points());

@@ -20,6 +20,7 @@ struct LocalVoxelMapConfig {
 struct RegistrationConfig {
   int max_iterations = 500;
   double convergence = 1e-4;
+  double finest_sigma = 0.2;
   int min_correspondences = 10;
   bool planes = true;
   double within_plane_weight = 0.001;
@@ -34,6 +35,9 @@ struct RegistrationConfig {
     v("max_iterations", max_iterations, Range{1, 10000}, "", "ICP iterations at most");
     v("convergence", convergence, Range{1e-9, 1e-1}, "m, rad",
       "ICP ends when its step [translation; rotation] is shorter");
+    v("finest_sigma", finest_sigma, Range{0.01, 1000.0}, "m",
+      "once ICP has ended it goes on with half its tolerance sigma, down to this; where sigma is not "
+      "larger, once is all");
     v("min_correspondences", min_correspondences, Range{6, 100000}, "",
       "with fewer matched points the pose is the prediction");
     v("planes", planes,

@@ -48,6 +48,11 @@ struct CachedMatch {
 ///
 ///   sum_i w(e_i^2) (e_i^2 + b |r_i|^2),  e_i = n_i^T r_i.
 ///
+/// Once ICP has ended it goes on with half of sigma, and so on down to finest_sigma: sigma has to be as
+/// large as the prediction may be wrong, which is much where a bearer's steps shake the sensor. What
+/// is new to the map then matches whatever is near. Where too few matches are left at a finer sigma,
+/// what the coarser one gave is the result.
+///
 /// a_i is small where the map points around are few or along one line. The rings that a sensor
 /// draws on the ground and on walls move along with it; taken as points they hold the estimate back
 /// and turn it (docs/odometry.md). With `planes` off a_i is 1 and all is point to point.
