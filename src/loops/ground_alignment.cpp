@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/ground_alignment.h"
 
-#include <tsl/robin_map.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -20,21 +18,50 @@ constexpr std::size_t kMinColumns = 10;
 constexpr double kCoarsestScale = 8.0;  // m, above which a column counts little
 constexpr double kFinestScale = 0.5;    // m
 constexpr int kStepsPerScale = 3;
-constexpr double kFarthest = 1e5;  // m; no map is as large
+constexpr float kFarthest = 1e3f;  // m; no map is as large
+
+/// A number for each column of the square around the origin that a turned map covers.
+class Columns {
+ public:
+  static constexpr int kNew = -1;
+
+  explicit Columns(double reach)
+      : half_(static_cast<int>(reach / kColumn) + 2),
+        numbers_(static_cast<std::size_t>(4 * half_ * half_), kNew) {}
+
+  int& at(const Eigen::Vector3d& p) {
+    const int i = floorToInt(p.x() / kColumn) + half_, j = floorToInt(p.y() / kColumn) + half_;
+    return numbers_[static_cast<std::size_t>(j * 2 * half_ + i)];
+  }
+
+ private:
+  int half_;
+  std::vector<int> numbers_;
+};
+
+/// m, from the origin to the farthest point that counts.
+double reachOf(const Points& points_local) {
+  float squared = 0.0f;
+  for (const Eigen::Vector3f& p : points_local)
+    if (p.squaredNorm() < kFarthest * kFarthest) squared = std::max(squared, p.squaredNorm());
+  return std::sqrt(squared);
+}
 
 /// The lowest point of each column, in the level frame.
-Ground lowestPoints(const Points& points_local, const Pose& T_level_local) {
+/// @param T_level_local  moves along z only
+Ground lowestPoints(const Points& points_local, const Pose& T_level_local, double reach) {
   Ground lowest;
-  tsl::robin_map<std::uint64_t, std::size_t, VoxelKeyHash> columns;
+  Columns columns(reach);
   for (const Eigen::Vector3f& point : points_local) {
+    if (!(point.squaredNorm() < kFarthest * kFarthest)) continue;  // not a number: neither
     const Eigen::Vector3d p = T_level_local * point.cast<double>();
-    if (!(p.lpNorm<Eigen::Infinity>() < kFarthest)) continue;  // not a number: neither
-    const Voxel column(floorToInt(p.x() / kColumn), floorToInt(p.y() / kColumn), 0);
-    const auto [entry, is_new] = columns.try_emplace(packVoxel(column), lowest.size());
-    if (is_new)
+    int& number = columns.at(p);
+    if (number == Columns::kNew) {
+      number = static_cast<int>(lowest.size());
       lowest.push_back(p);
-    else if (p.z() < lowest[entry->second].z())
-      lowest[entry->second] = p;
+    } else if (p.z() < lowest[static_cast<std::size_t>(number)].z()) {
+      lowest[static_cast<std::size_t>(number)] = p;
+    }
   }
   return lowest;
 }
@@ -87,10 +114,11 @@ Pose levelling(const Plane& plane) {
 }  // namespace
 
 Pose levelOnGround(const Points& points_local) {
-  Ground ground = lowestPoints(points_local, {});
+  const double reach = reachOf(points_local);
+  Ground ground = lowestPoints(points_local, {}, reach);
   if (ground.size() < kMinColumns) return {};
   Pose T_level_local = levelling(fitPlane(ground, {medianHeight(ground)}, kCoarsestScale));
-  ground = lowestPoints(points_local, T_level_local);  // once level, columns hold other points
+  ground = lowestPoints(points_local, T_level_local, reach);  // once level, columns hold other points
   T_level_local = levelling(fitPlane(ground, {}, 2.0 * kFinestScale)) * T_level_local;
   const Eigen::Vector3d up = T_level_local.rotation.conjugate() * Eigen::Vector3d::UnitZ();
   const auto without_yaw = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());

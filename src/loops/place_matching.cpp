@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/place_matching.h"
 
-#include "revisit_slam/loops/place_nearest.h"
-
 namespace revisit_slam {
 
 std::vector<FeatureMatch> matchFeatures(const std::vector<Descriptor>& source,
-                                        const std::vector<Descriptor>& target, int max_distance) {
-  const DescriptorBlocks blocks(target);
+                                        const DescriptorBlocks& target, int max_distance) {
   std::vector<FeatureMatch> matches;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const NearestDescriptor best = blocks.nearest(source[i], max_distance + 1);
+    const NearestDescriptor best = target.nearest(source[i], max_distance + 1);
     if (best.distance > max_distance) continue;
     matches.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(best.index)});
   }

@@ -43,7 +43,11 @@ __attribute__((target("popcnt"))) NearestDescriptor searchByWord(const Descripto
   return search(query, blocks, best);
 }
 
-/// With the instruction that counts those of eight: each lane keeps its own nearest.
+#define REVISIT_SLAM_EIGHT_WORDS \
+  __attribute__((always_inline, target("popcnt,avx512f,avx512vpopcntdq")))
+
+/// With the instruction that counts those of eight: each lane keeps its own nearest. Four blocks in
+/// which no lane finds a nearer one are done with one comparison.
 __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor searchByEightWords(
     const Descriptor& query, const Blocks& blocks, NearestDescriptor best) {
   const __m512i q[] = {
@@ -52,21 +56,29 @@ __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor sear
       _mm512_set1_epi64(static_cast<long long>(query[2])),
       _mm512_set1_epi64(static_cast<long long>(query[3])),
   };
-  const auto differing = [&q](const Block& block, int word) __attribute__((
-                             always_inline, target("popcnt,avx512f,avx512vpopcntdq"))) {
+  const auto differing = [&q](const Block& block, int word) REVISIT_SLAM_EIGHT_WORDS {
     return _mm512_popcnt_epi64(_mm512_xor_si512(q[word], _mm512_loadu_si512(&block[word])));
   };
+  const auto distanceTo = [&](const Block& block) REVISIT_SLAM_EIGHT_WORDS {
+    return _mm512_add_epi64(_mm512_add_epi64(differing(block, 0), differing(block, 1)),
+                            _mm512_add_epi64(differing(block, 2), differing(block, 3)));
+  };
   __m512i distances = _mm512_set1_epi64(best.distance), nearest = _mm512_setzero_si512();
-  __m512i number = _mm512_setzero_si512();
-  for (const Block& block : blocks) {
-    const __m512i distance =
-        _mm512_add_epi64(_mm512_add_epi64(differing(block, 0), differing(block, 1)),
-                         _mm512_add_epi64(differing(block, 2), differing(block, 3)));
+  const auto take = [&](std::size_t b) REVISIT_SLAM_EIGHT_WORDS {
+    const __m512i distance = distanceTo(blocks[b]);
     const __mmask8 is_nearer = _mm512_cmplt_epi64_mask(distance, distances);
     distances = _mm512_mask_mov_epi64(distances, is_nearer, distance);
-    nearest = _mm512_mask_mov_epi64(nearest, is_nearer, number);
-    number = _mm512_add_epi64(number, _mm512_set1_epi64(1));
+    nearest = _mm512_mask_mov_epi64(nearest, is_nearer, _mm512_set1_epi64(static_cast<long>(b)));
+  };
+  std::size_t b = 0;
+  for (; b + 4 <= blocks.size(); b += 4) {
+    const __m512i least = _mm512_min_epi64(
+        _mm512_min_epi64(distanceTo(blocks[b]), distanceTo(blocks[b + 1])),
+        _mm512_min_epi64(distanceTo(blocks[b + 2]), distanceTo(blocks[b + 3])));
+    if (_mm512_cmplt_epi64_mask(least, distances) == 0) continue;
+    for (std::size_t i = b; i < b + 4; ++i) take(i);
   }
+  for (; b < blocks.size(); ++b) take(b);
   std::array<std::int64_t, kLanes> lane_distances, lane_blocks;
   _mm512_storeu_si512(lane_distances.data(), distances);
   _mm512_storeu_si512(lane_blocks.data(), nearest);

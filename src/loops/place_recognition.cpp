@@ -14,12 +14,13 @@ namespace {
 constexpr std::size_t kMapsAtATime = 8;
 constexpr std::size_t kFewestInliers = 3;  // two points fit any rotation and translation
 
-std::vector<PointPair> pointPairs(const PlaceFeatures& source, const PlaceFeatures& target,
+std::vector<PointPair> pointPairs(const std::vector<Keypoint>& source,
+                                  const std::vector<Keypoint>& target,
                                   const std::vector<FeatureMatch>& matches) {
   std::vector<PointPair> pairs;
   pairs.reserve(matches.size());
   for (const FeatureMatch& match : matches) {
-    const Keypoint &s = source.keypoints[match.source], &t = target.keypoints[match.target];
+    const Keypoint &s = source[match.source], &t = target[match.target];
     pairs.push_back({s.centre(), t.centre(), static_cast<double>(t.angle - s.angle)});
   }
   return pairs;
@@ -50,12 +51,12 @@ PlaceView viewPlace(const LocalMap& map, const PlaceRecognitionConfig& config) {
 std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
                                                     const Place& place) const {
   const std::vector<FeatureMatch> matches =
-      matchFeatures(query.features.descriptors, place.features.descriptors, config_.max_distance);
+      matchFeatures(query.features.descriptors, place.descriptors, config_.max_distance);
   if (matches.size() < kFewestInliers) return std::nullopt;
   const PlanarAlignmentConfig alignment{config_.inlier_radius, config_.max_turn, config_.separation,
                                         config_.samples, static_cast<std::uint32_t>(config_.seed)};
   const PlanarAlignment found =
-      alignPlanar(pointPairs(query.features, place.features, matches), alignment);
+      alignPlanar(pointPairs(query.features.keypoints, place.keypoints, matches), alignment);
   if (found.inliers < static_cast<int>(kFewestInliers)) return std::nullopt;
   const double resolution = config_.image.resolution;
   const Pose T_target_source =
@@ -79,14 +80,16 @@ std::optional<PlaceMatch> PlaceRecognition::recognise(const LocalMap& map) {
   for (const auto& match : found)
     if (match) candidates_.push_back(*match);
   std::sort(candidates_.begin(), candidates_.end(), isBetter);
-  places_.push_back({map.id, last_.T_level_local, last_.features});
+  places_.push_back({map.id, last_.T_level_local, last_.features.keypoints,
+                     DescriptorBlocks(last_.features.descriptors)});
   if (candidates_.empty() || candidates_.front().inliers <= config_.min_inliers) return {};
   return candidates_.front();
 }
 
 std::size_t PlaceRecognition::bytes() const {
   std::size_t sum = 0;
-  for (const Place& place : places_) sum += sizeof(Place) + place.features.bytes();
+  for (const Place& place : places_)
+    sum += sizeof(Place) + place.keypoints.size() * sizeof(Keypoint) + place.descriptors.bytes();
   return sum;
 }
 

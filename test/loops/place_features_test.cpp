@@ -14,7 +14,6 @@ TEST(PlaceFeatures, AreBoundedAndLieInTheImage) {
   EXPECT_GT(view.features.size(), 50u);
   EXPECT_LE(view.features.size(), 500u);
   EXPECT_EQ(view.features.keypoints.size(), view.features.size());
-  EXPECT_LE(view.features.bytes(), 25000u);
   for (const Keypoint& keypoint : view.features.keypoints) {
     const Pixel p = Pixel(keypoint.i, keypoint.j) - view.image.origin;
     EXPECT_TRUE(p.x() >= 0 && p.x() < view.image.width && p.y() >= 0 && p.y() < view.image.height);

@@ -54,7 +54,7 @@ TEST_F(PlaceMatching, TakesTheNearestUpToTheLimit) {
   const auto target = randomDescriptors(100);
   const std::vector<Descriptor> source{changed(target[7], 50), changed(target[8], 51),
                                        changed(target[9], 0)};
-  const auto matches = matchFeatures(source, target, 50);
+  const auto matches = matchFeatures(source, DescriptorBlocks(target), 50);
   ASSERT_EQ(matches.size(), 2u);
   EXPECT_EQ(matches[0].source, 0);
   EXPECT_EQ(matches[0].target, 7);

@@ -20,13 +20,12 @@ struct Keypoint {
   Eigen::Vector2d centre() const { return {i + 0.5, j + 0.5}; }  ///< in pixels
 };
 
-/// What place recognition keeps of a local map: 40 bytes a feature.
+/// What place recognition sees of a local map: 40 bytes a feature.
 struct PlaceFeatures {
   std::vector<Descriptor> descriptors;
   std::vector<Keypoint> keypoints;
 
   std::size_t size() const { return descriptors.size(); }
-  std::size_t bytes() const { return size() * (sizeof(Descriptor) + sizeof(Keypoint)); }
 };
 
 /// ORB features that are unlike all others of their own image, strongest first. None for an image

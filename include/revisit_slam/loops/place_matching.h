@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/loops/place_descriptor.h"
+#include "revisit_slam/loops/place_nearest.h"
 
 namespace revisit_slam {
 
@@ -17,7 +17,7 @@ struct FeatureMatch {
 /// For each source feature its nearest target feature, where they differ by at most `max_distance`
 /// bits; of equally near ones the first. Exact.
 std::vector<FeatureMatch> matchFeatures(const std::vector<Descriptor>& source,
-                                        const std::vector<Descriptor>& target, int max_distance);
+                                        const DescriptorBlocks& target, int max_distance);
 
 /// Whether each descriptor has another one of the same list within `max_distance` bits.
 std::vector<bool> repeatedDescriptors(const std::vector<Descriptor>& descriptors, int max_distance);

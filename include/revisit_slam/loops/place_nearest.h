@@ -32,6 +32,7 @@ class DescriptorBlocks {
   explicit DescriptorBlocks(const std::vector<Descriptor>& descriptors);
 
   void set(std::size_t index, const Descriptor& descriptor);
+  std::size_t bytes() const { return blocks_.size() * sizeof(DescriptorBlock); }
 
   /// The first of the nearest that are nearer than `bound` bits, else {number of descriptors, bound}.
   NearestDescriptor nearest(const Descriptor& query, int bound,

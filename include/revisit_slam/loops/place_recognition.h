@@ -6,6 +6,7 @@
 
 #include "revisit_slam/core/submap.h"
 #include "revisit_slam/loops/place_features.h"
+#include "revisit_slam/loops/place_nearest.h"
 
 namespace revisit_slam {
 
@@ -54,10 +55,12 @@ class PlaceRecognition {
   std::size_t bytes() const;
 
  private:
+  /// What is kept of a map: 40 bytes a feature.
   struct Place {
     LocalMapId id;
     Pose T_level_local;
-    PlaceFeatures features;
+    std::vector<Keypoint> keypoints;
+    DescriptorBlocks descriptors;
   };
 
   std::optional<PlaceMatch> compare(const PlaceView& query, const Place& place) const;
