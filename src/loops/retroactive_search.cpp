@@ -41,17 +41,47 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::search(
   std::vector<Path> paths;
   for (std::size_t i = 0; i <= n.value; ++i) paths.push_back(optimisedPath(*maps[i], T_map_scan));
   const AssociationConfig& limits = config_.association;
-  const std::size_t separation = static_cast<std::size_t>(config_.min_separation);
   for (std::size_t i = p ? p->value + 1 : 0; i <= n.value; ++i)
-    for (std::size_t j = 0; j + separation <= i; ++j) {
+    for (std::size_t j = 0; j < i; ++j) {
       const LocalMapPair pair{maps[i]->id, maps[j]->id};
       if (closed.count(pair) > 0) continue;
       const double d = hausdorffDistance(paths[i], paths[j], limits.max_hausdorff);
-      if (d <= limits.max_hausdorff && comeWithin(paths[i], paths[j], limits.max_gap))
+      if (d <= limits.max_hausdorff && comeWithin(paths[i], paths[j], limits.max_gap) &&
+          meetAgain(*maps[i], *maps[j], T_map_scan))
         candidates.push_back({pair, d, 0.0});
     }
   orderByGain(candidates, closed);
   return candidates;
+}
+
+std::vector<RetroactiveCandidate> RetroactiveSearch::searchInReach(
+    const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
+    const std::set<LocalMapPair>& closed) const {
+  if (n.value == 0 || config_.odometry_reach <= 0.0) return {};
+  std::vector<RetroactiveCandidate> candidates =
+      search(maps, T_map_scan, LocalMapId{n.value - 1}, n, closed);
+  const auto is_too_far_back = [&](const RetroactiveCandidate& candidate) {
+    const LocalMap &later = *maps[candidate.maps.first.value],
+                   &earlier = *maps[candidate.maps.second.value];
+    return wayBetween(*later.submaps.front(), *earlier.submaps.back()) > config_.odometry_reach;
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_too_far_back),
+                   candidates.end());
+  return candidates;
+}
+
+/// Whether any two submaps come near that are no neighbours. Of maps that are none all are.
+bool RetroactiveSearch::meetAgain(const LocalMap& later, const LocalMap& earlier,
+                                  const std::vector<Pose>& T_map_scan) const {
+  const AssociationConfig& limits = config_.association;
+  if (wayBetween(*later.submaps.front(), *earlier.submaps.back()) >= limits.min_way) return true;
+  const std::vector<PlacedSubmap> targets = placeByGraph(earlier, T_map_scan);
+  for (const PlacedSubmap& source : placeByGraph(later, T_map_scan))
+    for (const PlacedSubmap& target : targets)
+      if (wayBetween(*source.submap, *target.submap) >= limits.min_way &&
+          comeWithin(pathOf(source), pathOf(target), limits.max_gap))
+        return true;
+  return false;
 }
 
 /// Takes the best candidate, counts it as closed, and so on: what comes early spreads over the map.

@@ -27,6 +27,10 @@ bool isBetter(const SubmapPair& a, const SubmapPair& b) {
 
 }  // namespace
 
+double wayBetween(const Submap& later, const Submap& earlier) {
+  return later.way_begin - earlier.way_end;
+}
+
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local) {
   const Pose T_common_odom = T_common_local * map.T_odom_local().inverse();
   std::vector<PlacedSubmap> placed;
@@ -53,6 +57,7 @@ std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::optional<SubmapPair> best;
     for (std::size_t r = 0; r < targets.size(); ++r) {
+      if (wayBetween(*sources[k].submap, *targets[r].submap) < config.min_way) continue;
       const double d = hausdorffDistance(source_paths[k], target_paths[r], config.max_hausdorff);
       if (d > config.max_hausdorff || !comeWithin(source_paths[k], target_paths[r], config.max_gap))
         continue;

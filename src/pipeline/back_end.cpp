@@ -1,34 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/pipeline/back_end.h"
 
-#include <chrono>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 namespace revisit_slam {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+RetroactiveConfig searchConfig(const SlamConfig& config) {
+  RetroactiveConfig search = config.retroactive;
+  search.enabled = search.enabled && config.loops.enabled;
+  return search;
+}
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// Associates submaps by the limits by which the search finds local maps.
+LoopCloserConfig closerConfig(const SlamConfig& config) {
+  LoopCloserConfig closer = config.loops.closer;
+  closer.association = config.retroactive.association;
+  return closer;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
 
 BackEnd::BackEnd(const SlamConfig& config, OnCorrection on_correction, OnProposals on_proposals)
     : graph_(config.backend),
-      closer_(config.loops.closer, config.information),
-      retroactive_(config.retroactive),
+      closer_(closerConfig(config), config.information),
+      retroactive_(searchConfig(config)),
       max_pairs_(config.retroactive.max_pairs),
       on_correction_(std::move(on_correction)),
       on_proposals_(std::move(on_proposals)) {}
+
+void BackEnd::reconfigure(const SlamConfig& config) {
+  graph_.reconfigure(config.backend);
+  closer_.reconfigure(closerConfig(config));
+  retroactive_.reconfigure(searchConfig(config));
+  max_pairs_ = config.retroactive.max_pairs;
+}
 
 void BackEnd::add(const LocalMapPtr& map, const std::vector<LoopConstraint>& loops) {
   if (map->submaps.back()->lastScan().value >= graph_.size())
     throw std::invalid_argument("a local map came before its scans");
   maps_.push_back(map);
-  if (loops.empty()) return;
+  if (loops.empty()) return searchInReach();
   for (const LoopConstraint& loop : loops) closed_.insert({loop.source_map, loop.target_map});
   optimise(loops);
   searchRetroactively();
@@ -58,28 +76,43 @@ void BackEnd::searchRetroactively() {
   const Clock::time_point start = Clock::now();
   const LocalMapId newest = maps_.back()->id;
   const std::vector<Pose> T_map_scan = graph_.poses();
+  std::vector<RetroactiveCandidate> candidates =
+      retroactive_.search(maps_, T_map_scan, searched_, newest, closed_);
+  const auto was_tried = [&](const auto& candidate) { return tried_.count(candidate.maps) > 0; };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), was_tried),
+                   candidates.end());
+  const std::size_t done = close(candidates, T_map_scan, start);
+  for (std::size_t i = 0; i < done; ++i) tried_.insert(candidates[i].maps);
+  if (done == candidates.size()) searched_ = newest;
+}
+
+/// What is not closed now may be once the graph has moved it: it does not count as tried.
+void BackEnd::searchInReach() {
+  const Clock::time_point start = Clock::now();
+  const std::vector<Pose> T_map_scan = graph_.poses();
+  close(retroactive_.searchInReach(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan, start);
+}
+
+/// As many as may be at a time, and then optimises. @return how many were tried.
+std::size_t BackEnd::close(const std::vector<RetroactiveCandidate>& candidates,
+                           const std::vector<Pose>& T_map_scan, Clock::time_point start) {
   std::vector<LoopConstraint> loops;
   int pairs = 0;
-  bool all = true;
-  for (const RetroactiveCandidate& candidate :
-       retroactive_.search(maps_, T_map_scan, searched_, newest, closed_)) {
-    if (tried_.count(candidate.maps) > 0) continue;
-    all = pairs < max_pairs_;
-    if (!all) break;
-    const std::vector<LoopProposal> proposals = closeRetroactively(candidate.maps, T_map_scan);
+  std::size_t done = 0;
+  for (; done < candidates.size() && pairs < max_pairs_; ++done) {
+    const std::vector<LoopProposal> proposals = close(candidates[done].maps, T_map_scan);
     pairs += static_cast<int>(proposals.size());
     const std::vector<LoopConstraint> accepted = acceptedOf(proposals);
     loops.insert(loops.end(), accepted.begin(), accepted.end());
   }
-  if (all) searched_ = newest;
   count_.retroactive_pairs += pairs;
   count_.retroactive_seconds += secondsSince(start);
   if (!loops.empty()) optimise(loops);
+  return done;
 }
 
-std::vector<LoopProposal> BackEnd::closeRetroactively(const LocalMapPair& maps,
-                                                      const std::vector<Pose>& T_map_scan) {
-  tried_.insert(maps);
+std::vector<LoopProposal> BackEnd::close(const LocalMapPair& maps,
+                                         const std::vector<Pose>& T_map_scan) {
   const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
   const std::vector<LoopProposal> proposals =
       closer_.close(placed(maps.first), placed(maps.second), LoopOrigin::retroactive);

@@ -36,6 +36,21 @@ TEST(SubmapAssociation, OppositeDirectionsAssociate) {
   EXPECT_NEAR(pairs[0].hausdorff, 4.0, 1e-9);
 }
 
+TEST(SubmapAssociation, NotWithLessOfTheWayBetweenThanAsked) {
+  auto later = std::make_shared<Submap>(*kTargets[0].submap);
+  later->way_begin = 130.0;
+  AssociationConfig config;
+  config.min_way = 100.0;
+  const auto ending = [](double way_end) {
+    auto submap = std::make_shared<Submap>(*kTargets[0].submap);
+    submap->way_end = way_end;
+    return std::vector<PlacedSubmap>{{submap, Pose::identity()}};
+  };
+  const std::vector<PlacedSubmap> sources{{later, Pose::identity()}};
+  EXPECT_EQ(associate(sources, ending(30.0), config).size(), 1u);
+  EXPECT_TRUE(associate(sources, ending(30.5), config).empty());
+}
+
 TEST(SubmapAssociation, NothingBeyondTheThresholds) {
   EXPECT_TRUE(associate({placed(0, 101)}, kTargets, {}).empty());
   AssociationConfig config;

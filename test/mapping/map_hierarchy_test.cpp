@@ -47,6 +47,13 @@ TEST(MapHierarchy, SplitsByDisplacement) {
   EXPECT_EQ(closed.local_maps[1]->submaps.front()->first_scan.value, 101u);
 }
 
+TEST(MapHierarchy, SubmapsKnowHowFarTheOdometryHadCome) {
+  for (const SubmapPtr& submap : mapsOf(straight(230)).submaps) {
+    EXPECT_NEAR(submap->way_begin, submap->first_scan.value, 1e-9);
+    EXPECT_NEAR(submap->way_end, submap->lastScan().value, 1e-9);
+  }
+}
+
 TEST(MapHierarchy, EverySubmapBelongsToTheLocalMapThatHoldsIt) {
   const Closed closed = mapsOf(straight(230));
   unsigned id = 0, scan = 0;

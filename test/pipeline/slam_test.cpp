@@ -104,6 +104,18 @@ TEST(Slam, CorrectionsAreNumberedAndConsistent) {
   EXPECT_LT((T_map_scan.translation - last.T_map_scan.back().translation).norm(), 1e-9);
 }
 
+TEST(Slam, WithoutAppearanceLoopsAreClosedWithinTheReachOfTheOdometry) {
+  SlamConfig config;
+  config.loops.recognition.min_inliers = 500;
+  config.retroactive.odometry_reach = 0.0;
+  EXPECT_TRUE(SlamRun(config).backEnd().graph().loops().empty());
+  config.retroactive.odometry_reach = 1000.0;
+  const SlamRun run(config);
+  ASSERT_FALSE(run.backEnd().graph().loops().empty());
+  for (const LoopEdge& edge : run.backEnd().graph().loops())
+    EXPECT_EQ(edge.loop.origin, LoopOrigin::retroactive);
+}
+
 TEST(Slam, WithoutLoopsTheMapIsThatOfTheOdometry) {
   SlamConfig config;
   config.loops.enabled = false;

@@ -12,6 +12,7 @@ namespace revisit_slam {
 struct AssociationConfig {
   double max_hausdorff = 100.0;
   double max_gap = 40.0;
+  double min_way = 0.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -19,6 +20,8 @@ struct AssociationConfig {
       "tau_H, largest Hausdorff distance of trajectories that are compared");
     v("max_gap", max_gap, Range{0.0, 10000.0}, "m",
       "trajectories that stay farther apart see too little of the same to be compared");
+    v("min_way", min_way, Range{0.0, 100000.0}, "m",
+      "submaps with less of the way between them are neighbours, not revisits");
   }
 };
 
@@ -28,6 +31,9 @@ struct PlacedSubmap {
   SubmapPtr submap;
   Pose T_common_submap;
 };
+
+/// m, between the end of the earlier one and the beginning of the later one.
+double wayBetween(const Submap& later, const Submap& earlier);
 
 /// The submaps of a local map as the odometry placed them, with the local map at `T_common_local`.
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local);

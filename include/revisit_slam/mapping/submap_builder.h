@@ -14,6 +14,7 @@ class Travel {
   void go(const Pose& T_odom_base);
   /// Whether a map that went this far must end before a scan at `T_odom_base`.
   bool exceeds(const MapSplitConfig& split, const Pose& T_odom_base) const;
+  double pathLength() const { return path_length_; }
 
  private:
   Eigen::Vector3d start_odom_ = Eigen::Vector3d::Zero();
@@ -39,6 +40,7 @@ class SubmapBuilder {
  private:
   Submap submap_;
   Travel travel_;
+  Travel drive_;  // since the origin, through all submaps
   VoxelMeanGrid grid_;
 };
 

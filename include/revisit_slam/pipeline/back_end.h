@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <set>
@@ -26,7 +27,8 @@ struct BackEndCount {
 
 /// The graph and what it does to the maps (paper Sec. III-D and III-E): optimises when a loop was
 /// closed by appearance, searches the maps that this brought together for loops that appearance
-/// missed, and optimises again. What comes out depends on the order of calls alone: a local map is
+/// missed, and optimises again. Where appearance closed none, the maps that the odometry alone places
+/// near the newest are searched. What comes out depends on the order of calls alone: a local map is
 /// always closed with the graph up to its last scan, whatever came since.
 class BackEnd {
  public:
@@ -37,12 +39,7 @@ class BackEnd {
   BackEnd(const SlamConfig& config, OnCorrection on_correction, OnProposals on_proposals = {});
 
   /// Kernel, acceptance of loops and retroactive search, from the next local map on.
-  void reconfigure(const SlamConfig& config) {
-    graph_.reconfigure(config.backend);
-    closer_.reconfigure(config.loops.closer);
-    retroactive_.reconfigure(config.retroactive);
-    max_pairs_ = config.retroactive.max_pairs;
-  }
+  void reconfigure(const SlamConfig& config);
 
   void add(const GraphNode& node) { graph_.add(node); }
 
@@ -63,11 +60,15 @@ class BackEnd {
   const BackEndCount& count() const { return count_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   ScanId lastScanOfMaps() const { return maps_.back()->submaps.back()->lastScan(); }
   void optimise(const std::vector<LoopConstraint>& new_loops);
   void searchRetroactively();
-  std::vector<LoopProposal> closeRetroactively(const LocalMapPair& maps,
-                                               const std::vector<Pose>& T_map_scan);
+  void searchInReach();
+  std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
+                    const std::vector<Pose>& T_map_scan, Clock::time_point start);
+  std::vector<LoopProposal> close(const LocalMapPair& maps, const std::vector<Pose>& T_map_scan);
 
   GrowingGraph graph_;
   LoopCloser closer_;
