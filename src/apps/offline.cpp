@@ -6,6 +6,7 @@
 #include "offline/offline_run.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/parameter_file.h"
+#include "revisit_slam/io/process_usage.h"
 
 namespace revisit_slam {
 namespace {
@@ -64,6 +65,7 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
 }  // namespace revisit_slam
 
 int main(int argc, char** argv) {
+  revisit_slam::shareMemoryAmongThreads();
   CLI::App app{"Maps a recorded drive; the results are files in a folder"};
   try {
     const revisit_slam::Options options = revisit_slam::parseOptions(app, argc, argv);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/process_usage.h"
 
+#include <stdlib.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -33,6 +37,12 @@ double peakMemoryMegabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+}
+
+void shareMemoryAmongThreads() {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 }  // namespace revisit_slam
