@@ -68,7 +68,8 @@ __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor sear
     const __m512i distance = distanceTo(blocks[b]);
     const __mmask8 is_nearer = _mm512_cmplt_epi64_mask(distance, distances);
     distances = _mm512_mask_mov_epi64(distances, is_nearer, distance);
-    nearest = _mm512_mask_mov_epi64(nearest, is_nearer, _mm512_set1_epi64(static_cast<long long>(b)));
+    const __m512i number = _mm512_set1_epi64(static_cast<long long>(b));
+    nearest = _mm512_mask_mov_epi64(nearest, is_nearer, number);
   };
   std::size_t b = 0;
   for (; b + 4 <= blocks.size(); b += 4) {
