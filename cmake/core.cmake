@@ -18,10 +18,11 @@ if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
 endif()
 
-set(REVISIT_SLAM_CORE_FOLDERS core geometry input odometry information mapping loops backend evaluation pipeline io)
+set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp odometry information occupancy mapping pose_graph loops io
+    evaluation session slam)
 set(core_sources)
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
-  file(GLOB folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)
+  file(GLOB_RECURSE folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)
   list(APPEND core_sources ${folder_sources})
 endforeach()
 

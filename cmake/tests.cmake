@@ -5,7 +5,7 @@ endif()
 enable_testing()
 
 function(revisit_slam_gtest folder)
-  file(GLOB sources CONFIGURE_DEPENDS test/${folder}/*_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS test/${folder}/*_test.cpp)
   if(NOT sources)
     return()
   endif()

@@ -7,10 +7,10 @@
 #include <iostream>
 
 #include "revisit_slam/information/information_estimator.h"
-#include "revisit_slam/io/process_usage.h"
-#include "revisit_slam/pipeline/slam_config.h"
-#include "revisit_slam/ros/bag_scans.h"
-#include "revisit_slam/ros/front_end.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/ros/node/front_end.h"
 
 namespace revisit_slam {
 namespace {

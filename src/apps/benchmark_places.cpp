@@ -11,8 +11,8 @@
 #include <random>
 
 #include "revisit_slam/io/pcd.h"
-#include "revisit_slam/io/process_usage.h"
-#include "revisit_slam/loops/place_recognition.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/loops/recognition/place_recognition.h"
 
 namespace revisit_slam {
 namespace {

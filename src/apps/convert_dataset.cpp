@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "revisit_slam/datasets/open_dataset.h"
-#include "revisit_slam/io/progress.h"
+#include "revisit_slam/util/progress.h"
 #include "revisit_slam/io/whole_file.h"
 
 namespace revisit_slam {

@@ -6,7 +6,7 @@
 #include "offline/offline_run.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/parameter_file.h"
-#include "revisit_slam/io/process_usage.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 namespace {

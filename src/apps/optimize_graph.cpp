@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "revisit_slam/backend/solver.h"
+#include "revisit_slam/pose_graph/solver.h"
 #include "revisit_slam/io/g2o.h"
-#include "revisit_slam/io/process_usage.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 namespace {

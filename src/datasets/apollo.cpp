@@ -7,7 +7,7 @@
 #include "pcd_cloud.h"
 #include "revisit_slam/datasets/readers.h"
 #include "revisit_slam/input/time_fields.h"
-#include "revisit_slam/ros/point_fields.h"
+#include "revisit_slam/ros/input/point_fields.h"
 #include "text_rows.h"
 
 namespace revisit_slam {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/datasets/dataset_scans.h"
 
-#include "revisit_slam/ros/pose_conversions.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/pose.h"
+#include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
 

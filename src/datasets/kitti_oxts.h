@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/io/trajectory.h"
 
 namespace revisit_slam {

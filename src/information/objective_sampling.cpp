@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "revisit_slam/geometry/chunks.h"
+#include "revisit_slam/util/chunks.h"
 
 // One build runs on every processor and uses wide registers where they exist. Neither variant fuses
 // multiplication and addition, so that both give the same bits.

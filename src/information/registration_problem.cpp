@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "revisit_slam/geometry/chunks.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 

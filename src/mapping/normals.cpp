@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "revisit_slam/geometry/chunks.h"
+#include "revisit_slam/util/chunks.h"
 #include "revisit_slam/geometry/point_moments.h"
 
 namespace revisit_slam {

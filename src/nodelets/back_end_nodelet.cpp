@@ -16,11 +16,11 @@
 #include "graph_status.h"
 #include "map_broadcaster.h"
 #include "occupancy_display.h"
-#include "revisit_slam/core/work_queue.h"
-#include "revisit_slam/pipeline/niceness.h"
-#include "revisit_slam/ros/live_parameters.h"
-#include "revisit_slam/ros/session_messages.h"
-#include "revisit_slam/ros/session_order.h"
+#include "revisit_slam/util/work_queue.h"
+#include "revisit_slam/util/niceness.h"
+#include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/session_messages.h"
+#include "revisit_slam/ros/node/session_order.h"
 #include "slam_nodelet.h"
 
 namespace revisit_slam {

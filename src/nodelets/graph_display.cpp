@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "graph_display.h"
 
-#include "revisit_slam/ros/coloured_cloud.h"
-#include "revisit_slam/ros/display.h"
-#include "revisit_slam/ros/loop_markers.h"
-#include "revisit_slam/ros/path_message.h"
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/loop_markers.h"
+#include "revisit_slam/ros/messages/path_message.h"
 
 namespace revisit_slam {
 namespace {
@@ -29,7 +29,7 @@ GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame, doub
   cloud_ = node.advertise<Cloud>("map_cloud", 1, connected, none, untracked, latch);
 }
 
-void GraphDisplay::draw(const GrowingGraph& graph, const std::vector<SubmapPtr>& submaps) const {
+void GraphDisplay::draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const {
   drawPath(graph);
   if (edges_.getNumSubscribers() > 0) edges_.publish(toLoopEdges(graph, pulling_weight_, frame_));
   if (cloud_.getNumSubscribers() > 0) {
@@ -41,7 +41,7 @@ void GraphDisplay::draw(const GrowingGraph& graph, const std::vector<SubmapPtr>&
   }
 }
 
-void GraphDisplay::drawPath(const GrowingGraph& graph) const {
+void GraphDisplay::drawPath(const SlamGraph& graph) const {
   if (path_.getNumSubscribers() > 0) path_.publish(toPath(graph, frame_, kMaxPoses));
 }
 

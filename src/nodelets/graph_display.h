@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/backend/growing_graph.h"
-#include "revisit_slam/core/submap.h"
+#include "revisit_slam/pose_graph/slam_graph.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 
@@ -19,8 +19,8 @@ class GraphDisplay {
   GraphDisplay(ros::NodeHandle& node, const std::string& frame, double pulling_weight,
                std::function<void()> on_subscriber);
 
-  void draw(const GrowingGraph& graph, const std::vector<SubmapPtr>& submaps) const;
-  void drawPath(const GrowingGraph& graph) const;
+  void draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const;
+  void drawPath(const SlamGraph& graph) const;
 
  private:
   std::string frame_;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "revisit_slam/ros/session_messages.h"
+#include "revisit_slam/ros/node/session_messages.h"
 
 namespace revisit_slam {
 

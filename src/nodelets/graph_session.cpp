@@ -91,7 +91,7 @@ Points GraphSession::detailOf(const SubmapPtr& submap) const {
   return files_ ? files_->detail(submap->id) : submap->points;
 }
 
-std::size_t activeLoops(const GrowingGraph& graph) {
+std::size_t activeLoops(const SlamGraph& graph) {
   return static_cast<std::size_t>(
       std::count_if(graph.loops().begin(), graph.loops().end(),
                     [](const LoopEdge& edge) { return edge.state == LoopState::active; }));

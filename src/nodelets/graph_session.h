@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/loops/loop_search.h"
-#include "revisit_slam/pipeline/back_end.h"
-#include "revisit_slam/pipeline/slam_files.h"
+#include "revisit_slam/loops/search/loop_search.h"
+#include "revisit_slam/slam/back_end.h"
+#include "revisit_slam/session/slam_files.h"
 
 namespace revisit_slam {
 
@@ -36,7 +36,7 @@ class GraphSession {
 
   BackEnd& backEnd() { return back_end_; }
   const BackEnd& backEnd() const { return back_end_; }
-  const GrowingGraph& graph() const { return back_end_.graph(); }
+  const SlamGraph& graph() const { return back_end_.graph(); }
   const std::vector<SubmapPtr>& submaps() const { return submaps_; }
   /// By SubmapId; null where occupancy is switched off.
   const std::vector<SubmapOccupancyPtr>& occupancies() const { return occupancies_; }
@@ -63,6 +63,6 @@ class GraphSession {
 };
 
 /// How many loop constraints take part in the graph.
-std::size_t activeLoops(const GrowingGraph& graph);
+std::size_t activeLoops(const SlamGraph& graph);
 
 }  // namespace revisit_slam

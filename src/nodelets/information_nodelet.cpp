@@ -7,13 +7,13 @@
 #include <map>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "revisit_slam/core/work_queue.h"
+#include "revisit_slam/util/work_queue.h"
 #include "revisit_slam/information/motion_covariance.h"
-#include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/ros/in_process_topic.h"
-#include "revisit_slam/ros/live_parameters.h"
-#include "revisit_slam/ros/patient_publisher.h"
-#include "revisit_slam/ros/scan_messages.h"
+#include "revisit_slam/slam/information_stage.h"
+#include "revisit_slam/ros/node/in_process_topic.h"
+#include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/patient_publisher.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
 #include "slam_nodelet.h"
 
 namespace revisit_slam {

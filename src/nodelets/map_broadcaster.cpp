@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "revisit_slam/ros/pose_conversions.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
 

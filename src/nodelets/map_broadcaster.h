@@ -6,9 +6,9 @@
 
 #include <mutex>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/stamp.h"
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 

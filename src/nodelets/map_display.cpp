@@ -3,11 +3,11 @@
 
 #include <boost/make_shared.hpp>
 
-#include "revisit_slam/ros/coloured_cloud.h"
-#include "revisit_slam/ros/density_message.h"
-#include "revisit_slam/ros/display.h"
-#include "revisit_slam/ros/loop_markers.h"
-#include "revisit_slam/ros/map_markers.h"
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/density_message.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/loop_markers.h"
+#include "revisit_slam/ros/messages/map_markers.h"
 
 namespace revisit_slam {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/map_correction.h"
-#include "revisit_slam/loops/loop_search.h"
+#include "revisit_slam/types/map_correction.h"
+#include "revisit_slam/loops/search/loop_search.h"
 
 namespace revisit_slam {
 

@@ -8,15 +8,15 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "map_display.h"
-#include "revisit_slam/core/work_queue.h"
-#include "revisit_slam/io/process_usage.h"
-#include "revisit_slam/loops/loop_search.h"
-#include "revisit_slam/pipeline/map_builder.h"
-#include "revisit_slam/pipeline/niceness.h"
-#include "revisit_slam/ros/live_parameters.h"
-#include "revisit_slam/ros/scan_messages.h"
-#include "revisit_slam/ros/session_messages.h"
-#include "revisit_slam/ros/session_order.h"
+#include "revisit_slam/util/work_queue.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/loops/search/loop_search.h"
+#include "revisit_slam/slam/map_builder.h"
+#include "revisit_slam/util/niceness.h"
+#include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
+#include "revisit_slam/ros/node/session_messages.h"
+#include "revisit_slam/ros/node/session_order.h"
 #include "slam_nodelet.h"
 
 namespace revisit_slam {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "occupancy_display.h"
 
-#include "revisit_slam/ros/occupancy_messages.h"
-#include "revisit_slam/ros/scan_messages.h"
+#include "revisit_slam/ros/messages/occupancy_messages.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
 
 namespace revisit_slam {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "graph_session.h"
-#include "revisit_slam/mapping/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_map.h"
 
 namespace revisit_slam {
 

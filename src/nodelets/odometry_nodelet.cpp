@@ -9,14 +9,14 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
-#include "revisit_slam/core/recent_times.h"
-#include "revisit_slam/core/work_queue.h"
-#include "revisit_slam/ros/front_end.h"
-#include "revisit_slam/ros/in_process_topic.h"
-#include "revisit_slam/ros/live_parameters.h"
-#include "revisit_slam/ros/patient_publisher.h"
-#include "revisit_slam/ros/pose_conversions.h"
-#include "revisit_slam/ros/scan_messages.h"
+#include "revisit_slam/util/recent_times.h"
+#include "revisit_slam/util/work_queue.h"
+#include "revisit_slam/ros/node/front_end.h"
+#include "revisit_slam/ros/node/in_process_topic.h"
+#include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/patient_publisher.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
 #include "slam_nodelet.h"
 
 namespace revisit_slam {

@@ -3,7 +3,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
-#include "revisit_slam/ros/parameter_server.h"
+#include "revisit_slam/ros/node/parameter_server.h"
 
 namespace revisit_slam {
 

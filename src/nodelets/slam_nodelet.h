@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 

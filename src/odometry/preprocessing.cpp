@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "revisit_slam/geometry/chunks.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

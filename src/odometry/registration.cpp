@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "revisit_slam/geometry/chunks.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/util/chunks.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 namespace {

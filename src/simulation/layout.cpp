@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/random.h"
 
 namespace revisit_slam::simulation {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/route.h"
 #include "revisit_slam/simulation/route_file.h"
 #include "revisit_slam/simulation/route_patterns.h"

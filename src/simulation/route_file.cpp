@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {

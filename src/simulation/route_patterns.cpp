@@ -6,7 +6,7 @@
 
 #include "grid_walks.h"
 #include "ramp_shape.h"
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {

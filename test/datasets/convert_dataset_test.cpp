@@ -3,7 +3,7 @@
 #include <rosbag/view.h>
 
 #include "datasets/dataset_writers.h"
-#include "revisit_slam/ros/bag_scans.h"
+#include "revisit_slam/ros/input/bag_scans.h"
 #include "support/child_process.h"
 #include "support/contains.h"
 

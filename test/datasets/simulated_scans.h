@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/ros/scan_reader.h"
+#include "revisit_slam/ros/input/scan_reader.h"
 #include "simulation/simulation_fixtures.h"
 
 namespace revisit_slam {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "revisit_slam/evaluation/trajectory_match.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "revisit_slam/backend/relative_pose_cost.h"
+#include "revisit_slam/pose_graph/relative_pose_cost.h"
 #include "support/random_numbers.h"
 #include "support/temporary_folder.h"
 

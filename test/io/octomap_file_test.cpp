@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
-#include "mapping/occupancy_scenes.h"
+#include "occupancy/occupancy_scenes.h"
 #include "support/temporary_folder.h"
 
 namespace revisit_slam {

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 namespace {

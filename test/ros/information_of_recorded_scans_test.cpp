@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "revisit_slam/ros/bag_scans.h"
-#include "revisit_slam/ros/scan_reader.h"
+#include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/ros/input/scan_reader.h"
 #include "support/brute_force_objective.h"
 
 namespace revisit_slam {

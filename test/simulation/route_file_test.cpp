@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/route.h"
 
 namespace revisit_slam::simulation {

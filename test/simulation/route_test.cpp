@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/revisits.h"
 #include "simulation_fixtures.h"
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/icp/local_voxel_map.h"
 
 namespace revisit_slam {
 

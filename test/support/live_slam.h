@@ -13,7 +13,7 @@
 #include <atomic>
 #include <vector>
 
-#include "revisit_slam/ros/session_messages.h"
+#include "revisit_slam/ros/node/session_messages.h"
 #include "support/odometry_listener.h"
 
 namespace revisit_slam {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "revisit_slam/io/trajectory.h"
-#include "revisit_slam/ros/pose_conversions.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
 

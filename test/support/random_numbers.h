@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/scan.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 

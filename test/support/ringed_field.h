@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 #include "support/random_numbers.h"
 
 namespace revisit_slam {

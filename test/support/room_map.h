@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/icp/local_voxel_map.h"
 #include "support/synthetic_room.h"
 
 namespace revisit_slam {

@@ -8,8 +8,8 @@
 
 #include "revisit_slam/evaluation/absolute_error.h"
 #include "revisit_slam/odometry/odometry.h"
-#include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/pipeline/slam.h"
+#include "revisit_slam/slam/information_stage.h"
+#include "revisit_slam/slam/slam.h"
 #include "revisit_slam/simulation/drive.h"
 
 namespace revisit_slam {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/types/se3.h"
 #include "support/random_numbers.h"
 
 namespace revisit_slam {

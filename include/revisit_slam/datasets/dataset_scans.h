@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/datasets/dataset_error.h"
 #include "revisit_slam/io/trajectory.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/evaluation/consistency_builder.h"
 #include "revisit_slam/evaluation/evaluation.h"
 #include "revisit_slam/odometry/odometry_config.h"

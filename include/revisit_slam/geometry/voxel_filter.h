@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/se3.h"
 #include "revisit_slam/information/information_config.h"
 
 namespace revisit_slam {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/input/point_view.h"
 #include "revisit_slam/input/scan_reading.h"
 

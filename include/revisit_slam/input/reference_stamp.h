@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/input/time_unit.h"
 
 namespace revisit_slam {

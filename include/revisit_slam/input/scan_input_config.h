@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

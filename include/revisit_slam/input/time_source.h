@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/input/time_range.h"
 #include "revisit_slam/input/time_unit.h"

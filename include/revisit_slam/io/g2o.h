@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/backend/pose_graph.h"
+#include "revisit_slam/pose_graph/pose_graph.h"
 
 namespace revisit_slam {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "revisit_slam/mapping/projected_grid.h"
+#include "revisit_slam/occupancy/projected_grid.h"
 
 namespace revisit_slam {
 

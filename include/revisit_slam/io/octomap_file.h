@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/mapping/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_map.h"
 
 namespace revisit_slam {
 

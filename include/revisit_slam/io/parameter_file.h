@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

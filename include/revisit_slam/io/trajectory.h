@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
 
 namespace revisit_slam {

@@ -3,8 +3,8 @@
 
 #include <tsl/robin_map.h>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/geometry/voxel.h"
 
 namespace revisit_slam {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/submap.h"
+#include "revisit_slam/types/submap.h"
 #include "revisit_slam/mapping/mapping_config.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/geometry/voxel.h"
 
 namespace revisit_slam {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/pose.h"
+#include "revisit_slam/types/pose.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
 namespace revisit_slam {

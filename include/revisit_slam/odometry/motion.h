@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/geometry/se3.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 

@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "revisit_slam/core/registered_scan.h"
-#include "revisit_slam/core/stage_times.h"
+#include "revisit_slam/types/registered_scan.h"
+#include "revisit_slam/util/stage_times.h"
 #include "revisit_slam/geometry/voxel_filter.h"
 #include "revisit_slam/odometry/adaptive_threshold.h"
-#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/preprocessing.h"
 #include "revisit_slam/odometry/registration.h"

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/scan.h"
-#include "revisit_slam/geometry/se3.h"
-#include "revisit_slam/odometry/local_voxel_map.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/types/se3.h"
+#include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
 namespace revisit_slam {

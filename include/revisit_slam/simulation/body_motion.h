@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "revisit_slam/core/pose.h"
+#include "revisit_slam/types/pose.h"
 #include "revisit_slam/simulation/route_config.h"
 
 namespace revisit_slam::simulation {

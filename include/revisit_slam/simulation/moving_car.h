@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/simulation/uniform_spline.h"
 
 namespace revisit_slam::simulation {

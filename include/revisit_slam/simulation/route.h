@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "revisit_slam/core/pose.h"
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/simulation/polyline.h"
 #include "revisit_slam/simulation/route_config.h"
 #include "revisit_slam/simulation/speed_profile.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/core/stamp.h"
+#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/simulation/layout.h"
 
 namespace revisit_slam::simulation {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/core/scan.h"
+#include "revisit_slam/types/scan.h"
 #include "revisit_slam/simulation/ray_caster.h"
 #include "revisit_slam/simulation/route.h"
 #include "revisit_slam/simulation/sensor_model.h"

@@ -3,8 +3,8 @@
 
 #include <tbb/task_arena.h>
 
-#include "revisit_slam/io/process_usage.h"
-#include "revisit_slam/pipeline/back_end.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/slam/back_end.h"
 
 namespace revisit_slam {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "mapped_drive.h"
-#include "revisit_slam/core/loop_edge.h"
-#include "revisit_slam/loops/loop_closer.h"
-#include "revisit_slam/loops/loop_search.h"
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/types/loop_edge.h"
+#include "revisit_slam/loops/acceptance/loop_closer.h"
+#include "revisit_slam/loops/search/loop_search.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "closed_drive.h"
-#include "revisit_slam/loops/loop_labels.h"
+#include "revisit_slam/evaluation/loop_labels.h"
 
 namespace revisit_slam {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "loop_report.h"
-#include "revisit_slam/core/quantile.h"
+#include "revisit_slam/util/quantile.h"
 
 namespace revisit_slam {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <stdexcept>
 
-#include "revisit_slam/io/progress.h"
-#include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/pipeline/map_builder.h"
-#include "revisit_slam/ros/bag_scans.h"
-#include "revisit_slam/ros/front_end.h"
+#include "revisit_slam/util/progress.h"
+#include "revisit_slam/slam/information_stage.h"
+#include "revisit_slam/slam/map_builder.h"
+#include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/ros/node/front_end.h"
 
 namespace revisit_slam {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/backend/graph_node.h"
-#include "revisit_slam/core/submap.h"
+#include "revisit_slam/pose_graph/graph_node.h"
+#include "revisit_slam/types/submap.h"
 #include "revisit_slam/evaluation/pose_interpolator.h"
-#include "revisit_slam/loops/loop_labels.h"
-#include "revisit_slam/pipeline/slam_config.h"
+#include "revisit_slam/evaluation/loop_labels.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "revisit_slam/io/process_usage.h"
-#include "revisit_slam/ros/bag_scans.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/ros/input/bag_scans.h"
 
 namespace revisit_slam {
 

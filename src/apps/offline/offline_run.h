@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/io/progress.h"
-#include "revisit_slam/io/run_folder.h"
-#include "revisit_slam/pipeline/information_stage.h"
-#include "revisit_slam/pipeline/slam.h"
-#include "revisit_slam/pipeline/slam_files.h"
-#include "revisit_slam/ros/front_end.h"
-#include "revisit_slam/ros/scan_source.h"
+#include "revisit_slam/util/progress.h"
+#include "revisit_slam/session/run_folder.h"
+#include "revisit_slam/slam/information_stage.h"
+#include "revisit_slam/slam/slam.h"
+#include "revisit_slam/session/slam_files.h"
+#include "revisit_slam/ros/node/front_end.h"
+#include "revisit_slam/ros/input/scan_source.h"
 
 namespace revisit_slam {
 

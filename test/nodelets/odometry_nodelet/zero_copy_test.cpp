@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "in_process_odometry.h"
-#include "revisit_slam/ros/in_process_topic.h"
+#include "revisit_slam/ros/node/in_process_topic.h"
 
 namespace revisit_slam {
 namespace {

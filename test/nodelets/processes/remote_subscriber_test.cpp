@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "revisit_slam/ros/in_process_topic.h"
+#include "revisit_slam/ros/node/in_process_topic.h"
 #include "support/contains.h"
 #include "support/odometry_listener.h"
 #include "support/ros_log.h"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/icp/surroundings.h"
+
+namespace revisit_slam {
+
+/// The map point nearest to a query, what lies around it, and how far its rivals are.
+struct Neighbour {
+  Eigen::Vector3d point_odom;
+  Surroundings surroundings;
+  float distance;        ///< m, from the query to the point
+  float rival_distance;  ///< m, lower bound of the distance from the query to any other point
+};
+
+/// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
+/// A point enters when its voxel has room and no point of that voxel is closer than
+/// voxel_size / sqrt(max_points_per_voxel). What surrounds the points of a voxel is looked at
+/// whenever one enters it. Points are kept relative to their voxel, so that float
+/// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
+/// calls alone.
+class LocalVoxelMap {
+ public:
+  /// `surroundings`: false leaves out those of neighbours, which are then sparse without points.
+  explicit LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings = true);
+
+  bool empty() const { return block_of_.empty(); }
+  std::size_t voxels() const { return block_of_.size(); }
+  double voxelSize() const { return voxel_size_; }
+  Points points(const Pose& T_target_odom = {}) const;
+
+  /// Runs in the current TBB arena; the same bits for any number of threads.
+  void insert(const Points& points_base, const Pose& T_odom_base);
+
+  /// Drops every voxel whose centre is farther than `distance` from `centre_odom`.
+  void dropBeyond(const Eigen::Vector3d& centre_odom, double distance);
+
+  /// The nearest point within the 27 voxels around the query, if it is nearer than `max_distance`.
+  /// Exact; looks only into voxels that can hold a nearer point than the best so far.
+  bool nearest(const Eigen::Vector3d& query_odom, double max_distance, Neighbour& neighbour) const;
+
+  /// Calls see(point_odom - query_odom) for every point of every voxel that reaches into the ball
+  /// around the query, in an order that depends on the voxels alone.
+  template <typename See>
+  void forEachAround(const Eigen::Vector3d& query_odom, double radius, const See& see) const;
+
+ private:
+  using BlockIndex = std::uint32_t;
+
+  BlockIndex findOrCreateBlock(const Voxel& voxel);
+  /// @return whether the point entered.
+  bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
+  void lookAround(std::vector<BlockIndex>& changed);
+  PointMoments momentsAround(const Voxel& voxel) const;
+  const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
+  Eigen::Vector3d corner(BlockIndex block) const { return voxel_size_ * voxels_[block].cast<double>(); }
+
+  double voxel_size_;
+  bool knows_surroundings_;
+  std::size_t max_points_;
+  std::size_t capacity_;  // max_points_ rounded up for whole vector registers
+  float min_spacing_squared_;
+
+  tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
+  std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
+  std::vector<Voxel> voxels_;
+  std::vector<PointMoments> moments_;       // from the voxel's corner; empty if not known
+  std::vector<Surroundings> surroundings_;  // empty if not known
+  std::vector<std::uint16_t> sizes_;  // 0: the block is free
+  std::vector<BlockIndex> free_blocks_;
+};
+
+template <typename See>
+void LocalVoxelMap::forEachAround(const Eigen::Vector3d& query_odom, double radius,
+                                  const See& see) const {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius);
+  const Voxel home = voxelOf<double>(query_odom / voxel_size_);
+  const Voxel first = voxelOf<double>((query_odom - reach) / voxel_size_) - home;
+  const Voxel last = voxelOf<double>((query_odom + reach) / voxel_size_) - home;
+  const Eigen::Vector3f query = (query_odom - voxel_size_ * home.cast<double>()).cast<float>();
+  const float edge = static_cast<float>(voxel_size_);
+  const float limit = static_cast<float>(radius * radius * (1.0 + 1e-5));
+  for (int x = first.x(); x <= last.x(); ++x)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int z = first.z(); z <= last.z(); ++z) {
+        const Voxel offset(x, y, z);
+        const Eigen::Vector3f corner = edge * offset.cast<float>() - query;
+        const Eigen::Vector3f outside =
+            corner.cwiseMax(-corner - Eigen::Vector3f::Constant(edge)).cwiseMax(0.0f);
+        if (outside.squaredNorm() > limit) continue;
+        const auto entry = block_of_.find(packVoxel(Voxel(home + offset)));
+        if (entry == block_of_.end()) continue;
+        const float* p = coordinates(entry->second);
+        for (std::size_t i = 0; i < sizes_[entry->second]; ++i, ++p)
+          see(Eigen::Vector3f(p[0], p[capacity_], p[2 * capacity_]) + corner);
+      }
+}
+
+}  // namespace revisit_slam

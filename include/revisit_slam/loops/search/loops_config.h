@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/loops/acceptance/loop_closer_config.h"
+#include "revisit_slam/loops/recognition/place_recognition_config.h"
+
+namespace revisit_slam {
+
+/// Closing loops by appearance (paper Sec. III-C).
+struct LoopsConfig {
+  bool enabled = true;
+  PlaceRecognitionConfig recognition;
+  LoopCloserConfig closer;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("enabled", enabled, "false: no loop is closed, the map is that of the odometry");
+    v.group("recognition", recognition);
+    closer.visit(v);
+  }
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "revisit_slam/types/submap.h"
+#include "revisit_slam/loops/association/submap_association.h"
+
+namespace revisit_slam {
+
+struct RetroactiveConfig {
+  bool enabled = true;
+  AssociationConfig association{100.0, 40.0, 100.0};
+  double odometry_reach = 300.0;
+  int novelty_range = 5;
+  int max_pairs = 20;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("enabled", enabled, "false: only appearance closes loops (ablation)");
+    v.group("association", association);
+    v("odometry_reach", odometry_reach, Range{0.0, 100000.0}, "m",
+      "a local map is compared with those that are no more of the way back even if appearance "
+      "closed no loop: the odometry has hardly drifted since; 0: never");
+    v("novelty_range", novelty_range, Range{1, 1000}, "",
+      "a closure this many local maps from any other gains as much as one still farther");
+    v("max_pairs", max_pairs, Range{1, 10000}, "",
+      "pairs of submaps registered after one optimisation, or the pairs of one pair of local maps "
+      "where those are more; the rest waits for the next");
+  }
+};
+
+/// The later local map (source) and the earlier one (target).
+using LocalMapPair = std::pair<LocalMapId, LocalMapId>;
+
+struct RetroactiveCandidate {
+  LocalMapPair maps;
+  double hausdorff;  ///< m, of the optimised trajectories
+  double gain;       ///< 0 … 1, expected: closeness times distance from other closures
+};
+
+/// The submaps of a local map as the graph placed them; `T_map_scan` counts by scan id.
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan);
+
+/// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E), and those that
+/// the odometry alone places well.
+class RetroactiveSearch {
+ public:
+  explicit RetroactiveSearch(const RetroactiveConfig& config) : config_(config) {}
+
+  void reconfigure(const RetroactiveConfig& config) { config_ = config; }
+
+  /// Pairs (i, j) with p < i <= n and j earlier, not in `closed`, whose optimised trajectories
+  /// satisfy d_H <= tau_H and come near where they are not neighbours along the way; most promising
+  /// first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps up to n are
+  /// searched.
+  std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
+                                           const std::vector<Pose>& T_map_scan,
+                                           std::optional<LocalMapId> p, LocalMapId n,
+                                           const std::set<LocalMapPair>& closed) const;
+
+  /// Those of the map n alone that are within the reach of the odometry.
+  std::vector<RetroactiveCandidate> searchInReach(const std::vector<LocalMapPtr>& maps,
+                                                  const std::vector<Pose>& T_map_scan,
+                                                  LocalMapId n,
+                                                  const std::set<LocalMapPair>& closed) const;
+
+ private:
+  bool meetAgain(const LocalMap& later, const LocalMap& earlier,
+                 const std::vector<Pose>& T_map_scan) const;
+  void orderByGain(std::vector<RetroactiveCandidate>& candidates,
+                   const std::set<LocalMapPair>& closed) const;
+
+  RetroactiveConfig config_;
+};
+
+}  // namespace revisit_slam

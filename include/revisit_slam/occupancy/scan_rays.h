@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/occupancy/occupancy_block_table.h"
+
+namespace revisit_slam {
+
+/// What one scan says about a block: voxels with points in them, and voxels that rays passed on
+/// their way to a point. No voxel is both: a point wins.
+struct ScanRaysBlock {
+  Voxel block;
+  VoxelMask hit;
+  VoxelMask miss;
+  /// Ends of rays that were cut off at the longest range.
+  VoxelMask cut;
+};
+
+/// Follows the rays of scans through a voxel grid; one ray for each voxel in which rays end.
+class ScanRays {
+ public:
+  /// Both in metres.
+  ScanRays(double resolution, double max_ray)
+      : scale_(static_cast<float>(1.0 / resolution)), max_ray_(static_cast<float>(max_ray)) {}
+
+  /// @param points in frame b; @param sensor_b where their rays start, in frame b.
+  /// @return the blocks seen, in the grid of frame g, valid until the next call.
+  const std::vector<ScanRaysBlock>& cast(const Points& points, const Pose& T_g_b,
+                                         const Eigen::Vector3d& sensor_b);
+
+ private:
+  void clear(const Eigen::Vector3f& end, const Eigen::Vector3f& sensor);
+
+  float scale_;    // voxels per metre
+  float max_ray_;  // metres
+  OccupancyBlockTable<ScanRaysBlock> table_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/types/informed_scan.h"
+
+namespace revisit_slam {
+
+/// What the graph keeps of a scan: one node, and the odometry edge that leads to it.
+struct GraphNode {
+  ScanId id;
+  Stamp stamp;
+  Pose T_odom_base;
+  Matrix6 information = Matrix6::Identity();  ///< Lambda_odo, of the motion since the scan before
+};
+
+inline GraphNode nodeOf(const InformedScan& informed) {
+  const RegisteredScan& scan = *informed.scan;
+  return {scan.id, scan.stamp, scan.T_odom_base, informed.estimate.information};
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "revisit_slam/pose_graph/pose_graph.h"
+#include "revisit_slam/pose_graph/robust_kernel.h"
+
+namespace revisit_slam {
+
+struct MinimizeLimits {
+  int max_iterations = 100;
+  double function_tolerance = 1e-6;  ///< ends after a step that lowers the cost by a smaller share
+};
+
+enum class Minimization { converged, max_iterations, failed };
+
+struct Minimum {
+  Minimization outcome = Minimization::failed;
+  std::vector<Pose> poses;  ///< the start, if failed
+  int iterations = 0;
+};
+
+/// The local minimum of graphCost that Levenberg-Marquardt (Ceres, sparse Cholesky) reaches from
+/// `start`; the poses of the graph itself do not count. One thread: the sums that Ceres makes with
+/// more depend on which thread was faster.
+Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start, const RobustKernel& kernel,
+                 const MinimizeLimits& limits);
+
+}  // namespace revisit_slam

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "revisit_slam/pose_graph/back_end_config.h"
+#include "revisit_slam/pose_graph/graph_node.h"
+#include "revisit_slam/pose_graph/pose_graph.h"
+#include "revisit_slam/pose_graph/pose_graph_solution.h"
+#include "revisit_slam/types/map_correction.h"
+
+namespace revisit_slam {
+
+/// The pose graph of a drive: one node a scan, odometry edges between consecutive scans, loop edges
+/// between first scans of submaps, and the poses of the last good optimisation.
+class SlamGraph {
+ public:
+  explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
+
+  /// Takes effect with the next optimisation.
+  void reconfigure(const BackEndConfig& config) { config_ = config; }
+
+  /// @throws std::invalid_argument for an id that is not the next one.
+  void add(const GraphNode& node);
+
+  /// Optimises the graph up to scan `last` with new loops (none: once more with those it has). A
+  /// solve that fails, and loops that silence more established ones than they are themselves, leave
+  /// the last good poses; the loops are kept as contradicted.
+  /// @return whether the new poses were taken.
+  bool optimise(ScanId last, const std::vector<LoopConstraint>& new_loops);
+
+  /// Leaves a loop out from the next optimisation on. @return whether there was one to leave out.
+  bool takeBack(LoopId id);
+
+  std::size_t size() const { return nodes_.size(); }
+  const std::vector<GraphNode>& nodes() const { return nodes_; }
+  const std::vector<LoopEdge>& loops() const { return loops_; }
+  /// The pose of any scan, those after the last optimisation carried along by it.
+  Pose pose(ScanId id) const;
+  std::vector<Pose> poses() const;
+  Pose T_map_odom() const { return T_map_odom_; }
+
+  /// Of the last optimisation.
+  const PoseGraphSolution& lastSolution() const { return last_solution_; }
+  double movedEnd() const { return moved_end_; }
+
+  /// All of it as a value, with the constraints that are active.
+  PoseGraph graph() const { return graphUpTo(nodes_.size()); }
+
+ private:
+  PoseGraph graphUpTo(std::size_t nodes) const;
+  std::vector<std::size_t> activeLoops() const;
+  bool tears(const std::vector<std::size_t>& active, std::size_t first_new,
+             const std::vector<LoopResidual>& residuals) const;
+  void take(PoseGraphSolution& solution, const std::vector<std::size_t>& active);
+
+  BackEndConfig config_;
+  std::vector<GraphNode> nodes_;  // by ScanId
+  std::vector<LoopEdge> loops_;   // by LoopId
+  std::vector<Pose> optimised_;   // T_map_scan, by ScanId
+  Pose T_map_odom_;
+  PoseGraphSolution last_solution_;  // without its poses
+  double moved_end_ = 0.0;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2/buffer_core.h>
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/types/pose.h"
+
+namespace revisit_slam {
+
+/// A bag or topic that cannot be used; the message says what to do.
+class BagError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The scans of one topic in one or more bags, in the order in which they were recorded.
+class BagScans {
+ public:
+  /// An empty topic stands for the only topic with scans. @throws BagError
+  BagScans(const std::vector<std::string>& paths, const std::string& topic);
+
+  const std::string& topic() const { return topic_; }
+  std::size_t size() { return scans_->size(); }
+  rosbag::View& messages() { return *scans_; }
+
+  bool hasTransforms() const { return has_transforms_; }
+  /// Pose of a sensor on the robot as the bags' /tf_static and /tf have it; nothing when they do
+  /// not connect the two frames.
+  std::optional<Pose> findExtrinsics(const std::string& base_frame,
+                                     const std::string& sensor_frame) const;
+
+ private:
+  void open(const std::string& path);
+  std::string chooseTopic(const std::string& wanted);
+  void readTransforms();
+
+  std::vector<std::unique_ptr<rosbag::Bag>> bags_;
+  std::string topic_;
+  std::unique_ptr<rosbag::View> scans_;
+  bool has_transforms_ = false;
+  tf2::BufferCore transforms_;
+};
+
+}  // namespace revisit_slam

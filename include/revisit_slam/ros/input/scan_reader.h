@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sensor_msgs/PointCloud2.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/input/point_reader.h"
+#include "revisit_slam/input/scan_input_config.h"
+#include "revisit_slam/input/scan_reading.h"
+#include "revisit_slam/ros/input/livox_custom_msg.h"
+
+namespace revisit_slam {
+
+/// Makes scans of the messages on one topic, in the order in which they come. No message makes it
+/// throw. Not for use by several threads at a time.
+class ScanReader {
+ public:
+  /// Throws ParameterError on a word that is no choice.
+  explicit ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor = {});
+
+  ScanReading read(const sensor_msgs::PointCloud2& cloud);
+  /// PointCloud2 or the CustomMsg of either Livox driver.
+  ScanReading read(const topic_tools::ShapeShifter& message);
+
+  /// One line on where the point times come from, or why there is no deskewing. It changes when
+  /// that does, so that it can be logged once. Empty before the first scan.
+  const std::string& description() const { return reader_.description(); }
+  /// Whether the last scan had point times.
+  bool deskewing() const { return reader_.deskewing(); }
+
+  void setExtrinsics(const Pose& T_base_sensor) { T_base_sensor_ = T_base_sensor; }
+
+ private:
+  ScanReading readCloud(const PointMessage& cloud);
+  ScanReading readLivox(const LivoxCustomMsg& message);
+  ScanReading readPoints(const PointMessage& message, const ReferenceStamp& reference);
+
+  ScanInputConfig config_;
+  PointReader reader_;
+  Pose T_base_sensor_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace revisit_slam

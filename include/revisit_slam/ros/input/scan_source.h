@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <sensor_msgs/PointCloud2.h>
+#include <topic_tools/shape_shifter.h>
+
+#include "revisit_slam/types/pose.h"
+
+namespace revisit_slam {
+
+/// A message with a scan, or why there is none.
+struct UnreadableScan {
+  std::string reason;
+};
+using ScanMessage = std::variant<sensor_msgs::PointCloud2::ConstPtr,
+                                 topic_tools::ShapeShifter::ConstPtr, UnreadableScan>;
+
+/// Recorded scans in order: of a topic in bags, or of a dataset.
+class ScanSource {
+ public:
+  virtual ~ScanSource() = default;
+
+  virtual std::string description() const = 0;
+  virtual std::size_t size() = 0;
+  /// The frame_id of the scans.
+  virtual std::string sensorFrame() = 0;
+  /// Whether it knows where sensors are on the robot.
+  virtual bool hasTransforms() const = 0;
+  virtual std::optional<Pose> findExtrinsics(const std::string& base_frame,
+                                             const std::string& sensor_frame) const = 0;
+  /// Hands the scans over until `consume` returns false. @return why it ended early, or nothing.
+  virtual std::string forEach(const std::function<bool(const ScanMessage&)>& consume) = 0;
+};
+
+/// An empty topic stands for the only topic with scans. @throws BagError
+std::unique_ptr<ScanSource> openBags(const std::vector<std::string>& paths,
+                                     const std::string& topic);
+
+/// @throws DatasetError naming what is missing.
+std::unique_ptr<ScanSource> openDatasetSource(const std::string& name, const std::string& folder);
+
+}  // namespace revisit_slam

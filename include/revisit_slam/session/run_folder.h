@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/util/parameters.h"
+#include "revisit_slam/types/informed_scan.h"
+#include "revisit_slam/types/scan_account.h"
+#include "revisit_slam/util/stage_times.h"
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+
+/// What run.json tells beside what the folder has seen itself.
+struct RunSummary {
+  std::vector<Parameter> parameters;
+  ScanAccount account;
+  std::string topic;
+  std::string tracked_frame;
+  std::string time_source;
+  double wall_seconds = 0.0;        ///< of the whole run, reading the bag included
+  double reading_cpu_seconds = 0.0;  ///< of taking messages out of the bag
+  double finish_seconds = 0.0;       ///< from the last scan to the last optimisation
+  double memory_mb_per_km = 0.0;
+  int threads = 0;
+  std::map<std::string, int> loops;  ///< constraints by origin and state
+  /// Revisit map consistency without reference: cells, and RMS in m (mean, standard deviation).
+  std::size_t revisited_cells = 0;
+  double consistency_mean = 0.0, consistency_deviation = 0.0;
+  int optimisations = 0, rejected_optimisations = 0, retroactive_pairs = 0;
+};
+
+/// The folder that a run leaves behind. Poses and times are on disk as soon as they are known.
+class RunFolder {
+ public:
+  /// Makes the folder with its parents. @throws std::runtime_error naming the path.
+  explicit RunFolder(const std::string& path);
+
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+  /// Appends to odometry.tum, odometry_information.csv and scan_times.csv.
+  void add(const InformedScan& informed, const StageTimes& times);
+
+  /// Wall time of what is done once for a local map or an optimisation, for run.json.
+  void addTimes(const StageTimes& times);
+
+  double pathLength() const { return path_length_; }
+
+  /// Writes run.json, whole or not at all.
+  void finish(const RunSummary& summary) const;
+
+ private:
+  void writeInformation(const InformedScan& informed);
+  void writeTimes(const RegisteredScan& scan, const StageTimes& times);
+  void endLine(std::ofstream& stream, const std::string& name) const;
+
+  std::string path_;
+  TumWriter odometry_;
+  std::ofstream information_;
+  std::ofstream scan_times_;
+  std::vector<std::string> stages_;  // in the order of the first scan
+  std::map<std::string, std::vector<double>> stage_ms_;
+  Eigen::Vector3d previous_position_ = Eigen::Vector3d::Zero();
+  double path_length_ = 0.0;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "revisit_slam/types/registered_scan.h"
+#include "revisit_slam/information/information_estimator.h"
+
+namespace revisit_slam {
+
+/// Whether the information of an edge was estimated from the scan itself.
+enum class InformationSource {
+  estimated,
+  repeated,   ///< the estimator fell behind: that of the scan before
+  identity,   ///< nothing to estimate from: the first scan, or information switched off
+};
+
+const char* toString(InformationSource source);
+
+/// A registered scan with the information of the odometry edge that leads to it.
+struct InformedScan {
+  std::shared_ptr<const RegisteredScan> scan;
+  InformationEstimate estimate;
+  InformationSource source = InformationSource::identity;
+  /// Of the motion since the scan before, for right perturbations: [m; rad] in the base frame.
+  Matrix6 covariance_motion = Matrix6::Identity();
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "revisit_slam/types/loop_edge.h"
+#include "revisit_slam/types/pose.h"
+
+namespace revisit_slam {
+
+/// What an optimisation made of the map: one numbered, immutable snapshot (paper Sec. III-D).
+struct MapCorrection {
+  std::uint32_t version = 0;  ///< counts from 1
+  /// Poses by ScanId, as far as the optimised graph went.
+  std::vector<Pose> T_map_scan;
+  /// Places every scan after those: T_map_scan = T_map_odom * T_odom_scan.
+  Pose T_map_odom;
+  /// All loop constraints so far, by LoopId.
+  std::vector<LoopEdge> loops;
+  /// How far the end of the optimised trajectory moved, m.
+  double moved_end = 0.0;
+  double seconds = 0.0;  ///< of optimisation
+};
+
+using MapCorrectionPtr = std::shared_ptr<const MapCorrection>;
+
+}  // namespace revisit_slam

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "revisit_slam/types/ids.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/scan.h"
+#include "revisit_slam/types/stamp.h"
+
+namespace revisit_slam {
+
+/// A stretch of about 25 m (paper Sec. III-C: S_k), closed and immutable. Its frame is the base frame
+/// at its first scan, the keypose. Where that frame lies in the map is known to the graph alone.
+struct Submap {
+  SubmapId id;
+  LocalMapId local_map;
+  ScanId first_scan;
+  /// m, how far the odometry had come at the first and at the last scan.
+  double way_begin = 0.0, way_end = 0.0;
+  /// Keypose as the odometry had it.
+  Pose T_odom_submap;
+  /// Gamma_k: one pose for each scan from first_scan on, without gaps; the first is the identity.
+  std::vector<Pose> T_submap_scan;
+  std::vector<Stamp> stamps;
+  /// One point (the mean) for each occupied voxel of edge nu_sub, in the submap frame.
+  Points points;
+  /// Unit normals of the points, zero where the neighbourhood has none.
+  Points normals;
+
+  ScanId lastScan() const {
+    return {first_scan.value + static_cast<std::uint32_t>(T_submap_scan.size()) - 1};
+  }
+};
+
+using SubmapPtr = std::shared_ptr<const Submap>;
+
+/// A stretch of about 100 m (paper Sec. III-C: M_n) made of whole submaps, closed and immutable. Its
+/// frame is that of its first submap.
+struct LocalMap {
+  LocalMapId id;
+  /// I_n, in order.
+  std::vector<SubmapPtr> submaps;
+  /// One point (the mean) for each occupied voxel of edge nu_loc, in the local map's frame.
+  Points points;
+
+  const Pose& T_odom_local() const { return submaps.front()->T_odom_submap; }
+};
+
+using LocalMapPtr = std::shared_ptr<const LocalMap>;
+
+}  // namespace revisit_slam

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/icp/local_voxel_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "revisit_slam/util/chunks.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kVectorWidth = 4;
+constexpr std::size_t kLargestCapacity = 100;
+constexpr std::size_t kBlocksAtATime = 128;
+
+/// The 26 neighbours of a voxel: those that share a face first, then an edge, then a corner.
+std::array<Voxel, 26> makeNeighbourOffsets() {
+  std::array<Voxel, 26> offsets;
+  std::size_t count = 0;
+  for (int shared : {1, 2, 3})
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          if (std::abs(x) + std::abs(y) + std::abs(z) == shared) offsets[count++] = Voxel(x, y, z);
+  return offsets;
+}
+
+const std::array<Voxel, 26> kNeighbourOffsets = makeNeighbourOffsets();
+
+/// Squared distances from a query to all points of a block, both relative to the block's corner.
+void squaredDistances(const float* coordinates, std::size_t capacity, std::size_t size,
+                      const Eigen::Vector3f& query, float* distances) {
+  const float *x = coordinates, *y = x + capacity, *z = y + capacity;
+  const std::size_t padded = (size + kVectorWidth - 1) / kVectorWidth * kVectorWidth;
+  for (std::size_t i = 0; i < padded; ++i) {
+    const float dx = x[i] - query.x(), dy = y[i] - query.y(), dz = z[i] - query.z();
+    distances[i] = dx * dx + dy * dy + dz * dz;
+  }
+}
+
+/// The best two of a stream of squared distances.
+struct BestTwo {
+  float best;
+  float second = std::numeric_limits<float>::max();
+  std::uint32_t block = 0;
+  std::size_t point = 0;
+  bool found = false;
+
+  void offer(float squared, std::uint32_t in_block, std::size_t index) {
+    if (squared < best) {
+      second = found ? best : second;
+      best = squared;
+      block = in_block;
+      point = index;
+      found = true;
+    } else if (squared < second) {
+      second = squared;
+    }
+  }
+};
+
+}  // namespace
+
+LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings)
+    : voxel_size_(config.voxel_size),
+      knows_surroundings_(surroundings),
+      max_points_(static_cast<std::size_t>(config.max_points_per_voxel)),
+      capacity_((max_points_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth),
+      min_spacing_squared_(
+          static_cast<float>(voxel_size_ * voxel_size_ / config.max_points_per_voxel)) {}
+
+Points LocalVoxelMap::points(const Pose& T_target_odom) const {
+  Points points;
+  for (BlockIndex block = 0; block < sizes_.size(); ++block) {
+    const float* x = coordinates(block);
+    for (std::size_t i = 0; i < sizes_[block]; ++i) {
+      const Eigen::Vector3f in_voxel(x[i], x[i + capacity_], x[i + 2 * capacity_]);
+      points.push_back(
+          (T_target_odom * (corner(block) + in_voxel.cast<double>())).cast<float>());
+    }
+  }
+  return points;
+}
+
+void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
+  const Eigen::Matrix3d R = T_odom_base.rotationMatrix();
+  Voxel previous_voxel = Voxel::Constant(std::numeric_limits<int>::max());
+  BlockIndex block = 0;
+  std::vector<BlockIndex> changed;
+  for (const Eigen::Vector3f& point_base : points_base) {
+    const Eigen::Vector3d point = R * point_base.cast<double>() + T_odom_base.translation;
+    const Voxel voxel = voxelOf<double>(point / voxel_size_);
+    if (voxel != previous_voxel) block = findOrCreateBlock(voxel);
+    previous_voxel = voxel;
+    const Eigen::Vector3f in_voxel = (point - corner(block)).cast<float>();
+    if (!insertIntoBlock(block, in_voxel) || !knows_surroundings_) continue;
+    moments_[block].add(in_voxel);
+    changed.push_back(block);
+  }
+  lookAround(changed);
+}
+
+void LocalVoxelMap::lookAround(std::vector<BlockIndex>& changed) {
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  Chunks(changed.size(), kBlocksAtATime).forEach([&](std::size_t, Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+      surroundings_[changed[i]] = surroundingsOf(momentsAround(voxels_[changed[i]]),
+                                                 static_cast<float>(voxel_size_));
+  });
+}
+
+PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
+  PointMoments around;
+  const auto add = [&](const Voxel& offset) {
+    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
+    if (entry == block_of_.end()) return;
+    const Eigen::Vector3f shift = static_cast<float>(voxel_size_) * offset.cast<float>();
+    around.add(moments_[entry->second], shift);
+  };
+  add(Voxel::Zero());
+  for (const Voxel& offset : kNeighbourOffsets) add(offset);
+  return around;
+}
+
+LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
+  const auto [entry, created] =
+      block_of_.try_emplace(packVoxel(voxel), BlockIndex{0});
+  if (!created) return entry->second;
+  if (free_blocks_.empty()) {
+    free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
+    coordinates_.resize(coordinates_.size() + 3 * capacity_);
+    voxels_.emplace_back();
+    moments_.resize(knows_surroundings_ ? voxels_.size() : 0);
+    surroundings_.resize(moments_.size());
+    sizes_.push_back(0);
+  }
+  const BlockIndex block = free_blocks_.back();
+  free_blocks_.pop_back();
+  voxels_[block] = voxel;
+  if (knows_surroundings_) {
+    moments_[block] = {};
+    surroundings_[block] = {};
+  }
+  entry.value() = block;
+  return block;
+}
+
+bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
+  const std::size_t size = sizes_[block];
+  if (size == max_points_) return false;
+  float distances[kLargestCapacity];
+  squaredDistances(coordinates(block), capacity_, size, point_voxel, distances);
+  for (std::size_t i = 0; i < size; ++i)
+    if (distances[i] < min_spacing_squared_) return false;
+  float* x = &coordinates_[block * 3 * capacity_];
+  x[size] = point_voxel.x();
+  x[size + capacity_] = point_voxel.y();
+  x[size + 2 * capacity_] = point_voxel.z();
+  ++sizes_[block];
+  return true;
+}
+
+void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distance) {
+  const Eigen::Vector3f centre =
+      (centre_odom / voxel_size_ - Eigen::Vector3d::Constant(0.5)).cast<float>();
+  const float limit = static_cast<float>(distance * distance / (voxel_size_ * voxel_size_));
+  for (BlockIndex block = 0; block < sizes_.size(); ++block) {
+    if (sizes_[block] == 0) continue;
+    if ((voxels_[block].cast<float>() - centre).squaredNorm() <= limit) continue;
+    block_of_.erase(packVoxel(voxels_[block]));
+    sizes_[block] = 0;
+    free_blocks_.push_back(block);
+  }
+}
+
+bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distance,
+                            Neighbour& neighbour) const {
+  const Voxel voxel = voxelOf<double>(query_odom / voxel_size_);
+  const Eigen::Vector3f query = (query_odom - voxel_size_ * voxel.cast<double>()).cast<float>();
+  const float edge = static_cast<float>(voxel_size_);
+  BestTwo best{static_cast<float>(max_distance * max_distance)};
+  // Points outside the 27 voxels, and in voxels that are not looked into, are at least this far.
+  float unseen = edge * edge;
+
+  const auto look = [&](const Voxel& offset) {
+    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
+    if (entry == block_of_.end()) return;
+    const BlockIndex block = entry->second;
+    float distances[kLargestCapacity];
+    squaredDistances(coordinates(block), capacity_, sizes_[block],
+                     query - edge * offset.cast<float>(), distances);
+    for (std::size_t i = 0; i < sizes_[block]; ++i) best.offer(distances[i], block, i);
+  };
+
+  look(Voxel::Zero());
+  // Squared distance from the query to its voxel's lower face, to itself, to the upper face.
+  const Eigen::Vector3f lower = query.cwiseAbs2();
+  const Eigen::Vector3f upper = (Eigen::Vector3f::Constant(edge) - query).cwiseAbs2();
+  const float nearest_face = std::min(lower.minCoeff(), upper.minCoeff());
+  if (best.found && best.best <= nearest_face) {
+    unseen = nearest_face;
+  } else {
+    for (const Voxel& offset : kNeighbourOffsets) {
+      float gap = 0.0f;
+      for (int axis = 0; axis < 3; ++axis)
+        gap += offset[axis] == 0 ? 0.0f : offset[axis] < 0 ? lower[axis] : upper[axis];
+      if (gap < best.best) {
+        look(offset);
+      } else {
+        unseen = std::min(unseen, gap);
+      }
+    }
+  }
+  if (!best.found) return false;
+
+  const float* x = coordinates(best.block) + best.point;
+  const Eigen::Vector3f in_voxel(x[0], x[capacity_], x[2 * capacity_]);
+  neighbour.point_odom = corner(best.block) + in_voxel.cast<double>();
+  neighbour.surroundings = knows_surroundings_ ? surroundings_[best.block] : Surroundings{};
+  neighbour.distance = std::sqrt(best.best);
+  neighbour.rival_distance = std::sqrt(std::min(best.second, unseen));
+  return true;
+}
+
+}  // namespace revisit_slam

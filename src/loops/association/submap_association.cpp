@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/association/submap_association.h"
+
+#include <optional>
+#include <utility>
+
+#include "revisit_slam/loops/association/view_overlap.h"
+
+namespace revisit_slam {
+namespace {
+
+std::vector<Path> pathsOf(const std::vector<PlacedSubmap>& submaps) {
+  std::vector<Path> paths;
+  for (const PlacedSubmap& placed : submaps) paths.push_back(pathOf(placed));
+  return paths;
+}
+
+std::vector<CoarseView> viewsOf(const std::vector<PlacedSubmap>& submaps) {
+  std::vector<CoarseView> views;
+  for (const PlacedSubmap& placed : submaps) views.emplace_back(placed.submap->points);
+  return views;
+}
+
+bool isBetter(const SubmapPair& a, const SubmapPair& b) {
+  return a.overlap != b.overlap ? a.overlap > b.overlap : a.hausdorff < b.hausdorff;
+}
+
+}  // namespace
+
+double wayBetween(const Submap& later, const Submap& earlier) {
+  return later.way_begin - earlier.way_end;
+}
+
+std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local) {
+  const Pose T_common_odom = T_common_local * map.T_odom_local().inverse();
+  std::vector<PlacedSubmap> placed;
+  for (const SubmapPtr& submap : map.submaps)
+    placed.push_back({submap, T_common_odom * submap->T_odom_submap});
+  return placed;
+}
+
+Path pathOf(const PlacedSubmap& placed) {
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(placed.submap->T_submap_scan.size());
+  const Eigen::Matrix3d R = placed.T_common_submap.rotationMatrix();
+  for (const Pose& T_submap_scan : placed.submap->T_submap_scan)
+    positions.push_back(R * T_submap_scan.translation + placed.T_common_submap.translation);
+  return Path(std::move(positions));
+}
+
+std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
+                                  const std::vector<PlacedSubmap>& targets,
+                                  const AssociationConfig& config) {
+  const std::vector<Path> source_paths = pathsOf(sources), target_paths = pathsOf(targets);
+  const std::vector<CoarseView> source_views = viewsOf(sources), target_views = viewsOf(targets);
+  std::vector<SubmapPair> pairs;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    std::optional<SubmapPair> best;
+    for (std::size_t r = 0; r < targets.size(); ++r) {
+      if (wayBetween(*sources[k].submap, *targets[r].submap) < config.min_way) continue;
+      const double d = hausdorffDistance(source_paths[k], target_paths[r], config.max_hausdorff);
+      if (d > config.max_hausdorff || !comeWithin(source_paths[k], target_paths[r], config.max_gap))
+        continue;
+      const Pose guess = targets[r].T_common_submap.inverse() * sources[k].T_common_submap;
+      const SubmapPair pair{k, r, d, CoarseView::overlap(source_views[k], target_views[r], guess)};
+      if (!best || isBetter(pair, *best)) best = pair;
+    }
+    if (best) pairs.push_back(*best);
+  }
+  return pairs;
+}
+
+}  // namespace revisit_slam

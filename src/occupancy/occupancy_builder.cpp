@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/occupancy/occupancy_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kTurn = 0.35;  // rad
+
+/// `count` where the larger of two counts, `largest`, becomes kMostCount; never 0 unless it was.
+int scaled(int count, int largest) {
+  const int rounded = (2 * count * BlockCounts::kMostCount + largest) / (2 * largest);
+  return count == 0 ? 0 : std::max(1, rounded);
+}
+
+VoxelMask above(const BlockCounter& counter, int plane) {
+  VoxelMask mask;
+  for (; plane < BlockCounter::kPlanes; ++plane) mask = mask | counter.planes[plane];
+  return mask;
+}
+
+BlockCounts compact(const BlockCounter& hits, const BlockCounter& misses) {
+  const VoxelMask large = above(hits, 2) | above(misses, 2);
+  BlockCounts counts{{hits.planes[0] & ~large, hits.planes[1] & ~large, misses.planes[0] & ~large,
+                      misses.planes[1] & ~large}};
+  large.forEach([&](int bit) {
+    const int h = hits.at(bit), m = misses.at(bit);
+    const int largest = std::max(h, m);
+    counts.set(bit, scaled(h, largest), scaled(m, largest));
+  });
+  return counts;
+}
+
+}  // namespace
+
+void BlockCounter::add(const VoxelMask& mask) {
+  VoxelMask carry = mask;
+  for (VoxelMask& plane : planes) {
+    const VoxelMask next = plane & carry;
+    plane = plane ^ carry;
+    carry = next;
+  }
+  for (VoxelMask& plane : planes) plane = plane | carry;
+}
+
+int BlockCounter::at(int bit) const {
+  int count = 0;
+  for (int plane = 0; plane < kPlanes; ++plane) count |= planes[plane].test(bit) << plane;
+  return count;
+}
+
+bool OccupancyBuilder::insert(const Points& points_base, const Pose& T_submap_base,
+                              const Eigen::Vector3d& sensor_base) {
+  if (!moved(T_submap_base)) return false;
+  T_submap_last_ = T_submap_base;
+  for (const ScanRaysBlock& seen : rays_.cast(points_base, T_submap_base, sensor_base)) {
+    Block& block = table_.at(seen.block);
+    block.hits.add(seen.hit);
+    block.misses.add(seen.miss);
+  }
+  return true;
+}
+
+SubmapOccupancyPtr OccupancyBuilder::close() {
+  std::vector<Block> blocks = std::move(std::exchange(table_, {}).blocks());
+  std::sort(blocks.begin(), blocks.end(),
+            [](const Block& a, const Block& b) { return BlockOrder()(a.block, b.block); });
+  auto occupancy = std::make_shared<SubmapOccupancy>(config_.resolution);
+  for (const Block& block : blocks)
+    occupancy->append(block.block, compact(block.hits, block.misses));
+  occupancy->shrinkToFit();
+  T_submap_last_.reset();
+  return occupancy;
+}
+
+bool OccupancyBuilder::moved(const Pose& T_submap_base) const {
+  if (!T_submap_last_) return true;
+  const Pose T_last_base = T_submap_last_->inverse() * T_submap_base;
+  return T_last_base.translation.norm() >= config_.scan_spacing || T_last_base.angle() >= kTurn;
+}
+
+}  // namespace revisit_slam

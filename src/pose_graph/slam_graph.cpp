@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/pose_graph/slam_graph.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "revisit_slam/pose_graph/solver.h"
+
+namespace revisit_slam {
+
+void SlamGraph::add(const GraphNode& node) {
+  if (node.id.value != nodes_.size())
+    throw std::invalid_argument("scan " + std::to_string(node.id.value) + " cannot follow " +
+                                std::to_string(nodes_.size()) + " nodes");
+  nodes_.push_back(node);
+}
+
+Pose SlamGraph::pose(ScanId id) const {
+  return id.value < optimised_.size() ? optimised_[id.value]
+                                      : T_map_odom_ * nodes_.at(id.value).T_odom_base;
+}
+
+std::vector<Pose> SlamGraph::poses() const {
+  std::vector<Pose> poses;
+  poses.reserve(nodes_.size());
+  for (const GraphNode& node : nodes_) poses.push_back(pose(node.id));
+  return poses;
+}
+
+PoseGraph SlamGraph::graphUpTo(std::size_t nodes) const {
+  PoseGraph graph;
+  const std::vector<std::size_t> active = activeLoops();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    // Without loops nothing is left of what others that were taken back have done.
+    graph.addNode(active.empty() ? nodes_[i].T_odom_base : pose(nodes_[i].id));
+    if (i == 0) continue;
+    graph.addOdometry({nodes_[i - 1].id, nodes_[i].id,
+                       nodes_[i - 1].T_odom_base.inverse() * nodes_[i].T_odom_base,
+                       nodes_[i].information});
+  }
+  for (const std::size_t loop : active) graph.addLoop(loops_[loop].loop.constraint);
+  return graph;
+}
+
+std::vector<std::size_t> SlamGraph::activeLoops() const {
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (loops_[i].state == LoopState::active) active.push_back(i);
+  return active;
+}
+
+bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loops) {
+  const std::size_t first_new = loops_.size();
+  for (const LoopConstraint& loop : new_loops) {
+    LoopEdge edge;
+    edge.id = LoopId{static_cast<std::uint32_t>(loops_.size())};
+    edge.loop = loop;
+    loops_.push_back(edge);
+  }
+  const std::vector<std::size_t> active = activeLoops();
+  PoseGraphSolution solution = solve(graphUpTo(last.value + 1), config_.solver);
+  for (std::size_t i = 0; i < solution.loops.size(); ++i)
+    if (active[i] >= first_new) loops_[active[i]].chi2_before = solution.loops[i].chi2_before;
+  const bool good = solution.outcome == SolveOutcome::no_loops ||
+                    (solution.usable() && !tears(active, first_new, solution.loops));
+  if (good) {
+    take(solution, active);
+  } else {
+    for (std::size_t i = first_new; i < loops_.size(); ++i)
+      loops_[i].state = LoopState::contradicted;
+  }
+  solution.poses.clear();
+  last_solution_ = std::move(solution);
+  return good;
+}
+
+/// Every loop has a vote: new ones that pull against established ones that no longer do.
+bool SlamGraph::tears(const std::vector<std::size_t>& active, std::size_t first_new,
+                         const std::vector<LoopResidual>& residuals) const {
+  const auto pulls = [&](double weight) { return weight >= config_.pulling_weight; };
+  std::size_t pulling = 0, silenced = 0, added = 0;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i] >= first_new) {
+      ++added;
+      if (pulls(residuals[i].weight)) ++pulling;
+    } else if (pulls(loops_[active[i]].weight) && !pulls(residuals[i].weight)) {
+      ++silenced;
+    }
+  }
+  return added > 0 && (pulling == 0 || silenced > pulling);
+}
+
+void SlamGraph::take(PoseGraphSolution& solution, const std::vector<std::size_t>& active) {
+  for (std::size_t i = 0; i < solution.loops.size(); ++i) {
+    LoopEdge& edge = loops_[active[i]];
+    edge.chi2_after = solution.loops[i].chi2_after;
+    edge.weight = solution.loops[i].weight;
+  }
+  const GraphNode& end = nodes_[solution.poses.size() - 1];
+  moved_end_ = (solution.poses.back().translation - pose(end.id).translation).norm();
+  T_map_odom_ = solution.poses.back() * end.T_odom_base.inverse();
+  optimised_ = std::move(solution.poses);
+}
+
+bool SlamGraph::takeBack(LoopId id) {
+  if (id.value >= loops_.size() || loops_[id.value].state != LoopState::active) return false;
+  loops_[id.value].state = LoopState::taken_back;
+  loops_[id.value].weight = 0.0;
+  return true;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/input/bag_scans.h"
+
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <map>
+#include <set>
+
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+namespace {
+
+bool holdsScans(const std::string& type) {
+  return type == "sensor_msgs/PointCloud2" || type == "livox_ros_driver/CustomMsg" ||
+         type == "livox_ros_driver2/CustomMsg";
+}
+
+std::string join(const std::set<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+BagScans::BagScans(const std::vector<std::string>& paths, const std::string& topic) {
+  for (const std::string& path : paths) open(path);
+  topic_ = chooseTopic(topic);
+  scans_ = std::make_unique<rosbag::View>();
+  for (const auto& bag : bags_) scans_->addQuery(*bag, rosbag::TopicQuery(topic_));
+  readTransforms();
+}
+
+void BagScans::open(const std::string& path) {
+  bags_.push_back(std::make_unique<rosbag::Bag>());
+  try {
+    bags_.back()->open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw BagError("the bag '" + path + "' has no index, its recording was cut off; make one with: " +
+                   "rosbag reindex " + path);
+  } catch (const rosbag::BagException& error) {
+    throw BagError("cannot read the bag '" + path + "': " + error.what() +
+                   "; if it was cut off, try: rosbag reindex " + path);
+  }
+}
+
+std::string BagScans::chooseTopic(const std::string& wanted) {
+  std::set<std::string> topics_with_scans;
+  std::map<std::string, std::string> types;
+  for (const auto& bag : bags_) {
+    rosbag::View view(*bag);
+    for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+      types[connection->topic] = connection->datatype;
+      if (holdsScans(connection->datatype)) topics_with_scans.insert(connection->topic);
+    }
+  }
+  const std::string found = "; topics with scans: " + join(topics_with_scans);
+  if (wanted.empty()) {
+    if (topics_with_scans.size() == 1) return *topics_with_scans.begin();
+    throw BagError((topics_with_scans.empty() ? "the bag has no topic with scans"
+                                              : "the bag has several topics with scans, choose one") +
+                   found);
+  }
+  if (types.count(wanted) == 0) throw BagError("the bag has no topic '" + wanted + "'" + found);
+  if (topics_with_scans.count(wanted) == 0)
+    throw BagError("topic '" + wanted + "' is of type " + types[wanted] + ", not of scans" + found);
+  return wanted;
+}
+
+void BagScans::readTransforms() {
+  std::set<std::string> children;  // the first transform of a frame stays: static ones before others
+  const auto keep = [&](const geometry_msgs::TransformStamped& transform) {
+    if (!children.insert(transform.child_frame_id).second) return;
+    has_transforms_ |= transforms_.setTransform(transform, "bag", true);
+  };
+  for (const char* topic : {"/tf_static", "/tf"}) {
+    for (const auto& bag : bags_) {
+      rosbag::View view(*bag, rosbag::TopicQuery(topic));
+      for (const rosbag::MessageInstance& instance : view)
+        if (const auto message = instance.instantiate<tf2_msgs::TFMessage>())
+          for (const geometry_msgs::TransformStamped& transform : message->transforms)
+            keep(transform);
+    }
+  }
+}
+
+std::optional<Pose> BagScans::findExtrinsics(const std::string& base_frame,
+                                             const std::string& sensor_frame) const {
+  try {
+    return toPose(transforms_.lookupTransform(base_frame, sensor_frame, ros::Time(0)).transform);
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace revisit_slam

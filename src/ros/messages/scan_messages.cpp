@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/messages/scan_messages.h"
+
+#include <cstring>
+
+#include "revisit_slam/information/motion_covariance.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+
+geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan, const std::string& odom_frame,
+                                            const std::string& base_frame) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = toRosTime(scan.stamp);
+  message.header.frame_id = odom_frame;
+  message.child_frame_id = base_frame;
+  message.transform = toTransformMessage(scan.T_odom_base);
+  return message;
+}
+
+nav_msgs::Odometry toOdometry(const RegisteredScan& scan, const std::string& odom_frame,
+                              const std::string& base_frame) {
+  nav_msgs::Odometry message;
+  message.header.stamp = toRosTime(scan.stamp);
+  message.header.frame_id = odom_frame;
+  message.child_frame_id = base_frame;
+  message.pose.pose = toPoseMessage(scan.T_odom_base);
+  const Tangent& v = scan.velocity_base;
+  message.twist.twist.linear.x = v[0];
+  message.twist.twist.linear.y = v[1];
+  message.twist.twist.linear.z = v[2];
+  message.twist.twist.angular.x = v[3];
+  message.twist.twist.angular.y = v[4];
+  message.twist.twist.angular.z = v[5];
+  return message;
+}
+
+void fillCovariances(const Matrix6& covariance_pose, const Matrix6& covariance_motion,
+                     double seconds, const Pose& T_odom_base, nav_msgs::Odometry& odometry) {
+  using RowMajor6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  Eigen::Map<RowMajor6>(odometry.pose.covariance.data()) = inFixedAxes(covariance_pose, T_odom_base);
+  if (seconds > 0.0)
+    Eigen::Map<RowMajor6>(odometry.twist.covariance.data()) =
+        covariance_motion / (seconds * seconds);
+}
+
+visualization_msgs::MarkerArray toMarkers(const std::vector<WeakDirection>& weak_directions,
+                                          Stamp stamp, const std::string& base_frame) {
+  constexpr double kLength = 5.0, kShaft = 0.2, kHead = 0.5;  // m
+  visualization_msgs::MarkerArray array;
+  array.markers.resize(1);
+  array.markers[0].action = visualization_msgs::Marker::DELETEALL;
+  for (const WeakDirection& weak : weak_directions) {
+    const bool rotation = weak.direction.head<3>().isZero();
+    const Eigen::Vector3d tip =
+        kLength * (rotation ? weak.direction.tail<3>() : weak.direction.head<3>());
+    visualization_msgs::Marker arrow;
+    arrow.header.stamp = toRosTime(stamp);
+    arrow.header.frame_id = base_frame;
+    arrow.ns = "weak_directions";
+    arrow.id = static_cast<int>(array.markers.size());
+    arrow.type = visualization_msgs::Marker::ARROW;
+    arrow.pose.orientation.w = 1.0;
+    arrow.points.resize(2);
+    arrow.points[1].x = tip.x();
+    arrow.points[1].y = tip.y();
+    arrow.points[1].z = tip.z();
+    arrow.scale.x = kShaft;
+    arrow.scale.y = kHead;
+    arrow.color.a = 1.0;
+    (rotation ? arrow.color.b : arrow.color.r) = 1.0;
+    array.markers.push_back(arrow);
+  }
+  return array;
+}
+
+sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const std::string& frame) {
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.stamp = toRosTime(stamp);
+  cloud.header.frame_id = frame;
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>(points.size());
+  for (const char* axis : {"x", "y", "z"}) {
+    sensor_msgs::PointField field;
+    field.name = axis;
+    field.offset = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
+    field.datatype = sensor_msgs::PointField::FLOAT32;
+    field.count = 1;
+    cloud.fields.push_back(field);
+  }
+  static_assert(sizeof(Points::value_type) == 3 * sizeof(float), "points are copied as they lie");
+  cloud.point_step = sizeof(Points::value_type);
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.is_dense = 1;
+  cloud.data.resize(cloud.row_step);
+  if (!points.empty()) std::memcpy(cloud.data.data(), points.data(), cloud.data.size());
+  return cloud;
+}
+
+void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status) {
+  addValue("scans received", std::to_string(account.received), status);
+  addValue("scans processed", std::to_string(account.processed), status);
+  for (const auto& [reason, count] : account.dropped)
+    addValue("scans dropped, " + reason, std::to_string(count), status);
+  for (const auto& [reason, count] : account.points_dropped)
+    addValue("points dropped, " + reason, std::to_string(count), status);
+}
+
+void addValue(const std::string& key, const std::string& value,
+              diagnostic_msgs::DiagnosticStatus& status) {
+  diagnostic_msgs::KeyValue entry;
+  entry.key = key;
+  entry.value = value;
+  status.values.push_back(entry);
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/icp/surroundings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/random_numbers.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr float kEdge = 1.0f;
+
+Surroundings of(const Points& points) {
+  PointMoments moments;
+  for (const Eigen::Vector3f& point : points) moments.add(point);
+  return surroundingsOf(moments, kEdge);
+}
+
+/// On the ground, tilted, from `first` to `last` in direction, at a distance with play.
+Points arc(double radius, double first, double last, int count, RandomNumbers& random) {
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = first + (last - first) * i / count;
+    const Eigen::Vector3d p(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    points.push_back((p + random.gaussian(0.01) * Eigen::Vector3d::UnitZ()).cast<float>());
+  }
+  return points;
+}
+
+TEST(Surroundings, APlaneHasANormal) {
+  RandomNumbers random(1);
+  const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  Points points;
+  for (int i = 0; i < 60; ++i)
+    points.push_back((tilt * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1),
+                                             random.gaussian(0.02)))
+                         .cast<float>());
+  const Surroundings surroundings = of(points);
+  EXPECT_EQ(surroundings.spread, Spread::planar);
+  const Eigen::Vector3d normal = tilt * Eigen::Vector3d::UnitZ();
+  EXPECT_GT(std::abs(surroundings.normal.cast<double>().dot(normal)), 0.999);
+}
+
+TEST(Surroundings, ASingleRingIsSparseAndTwoMakeAPlane) {
+  RandomNumbers random(2);
+  Points points = arc(10.0, 0.0, 0.25, 40, random);
+  EXPECT_EQ(of(points).spread, Spread::sparse);
+  for (const auto& point : arc(11.0, 0.0, 0.25, 40, random)) points.push_back(point);
+  EXPECT_EQ(of(points).spread, Spread::planar);
+  EXPECT_GT(std::abs(of(points).normal.z()), 0.99f);
+}
+
+TEST(Surroundings, APoleIsNoRing) {
+  Points upright, level;
+  for (int i = 0; i < 20; ++i) {
+    upright.push_back({0.1f, 0.2f, 0.1f * static_cast<float>(i)});
+    level.push_back({0.1f * static_cast<float>(i), 0.2f, 0.3f});
+  }
+  EXPECT_EQ(of(upright).spread, Spread::scattered);
+  EXPECT_EQ(of(level).spread, Spread::sparse);
+}
+
+TEST(Surroundings, FewPointsAreSparseAndABushIsScattered) {
+  RandomNumbers random(3);
+  Points points;
+  for (int i = 0; i < 5; ++i) points.push_back(random.direction().cast<float>());
+  EXPECT_EQ(of(points).spread, Spread::sparse);
+  EXPECT_EQ(of({}).spread, Spread::sparse);
+  for (int i = 0; i < 60; ++i) points.push_back(random.direction().cast<float>());
+  EXPECT_EQ(of(points).spread, Spread::scattered);
+  EXPECT_TRUE(of(points).normal.isZero());
+  EXPECT_EQ(of(points).points, 65.0f);
+}
+
+TEST(PointMoments, AreThoseOfTheSamePointsFromAnotherOrigin) {
+  RandomNumbers random(4);
+  const Eigen::Vector3f shift(1.0f, -2.0f, 1.0f);
+  PointMoments here, there, added;
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector3f point = random.direction().cast<float>();
+    there.add(point);
+    here.add(point + shift);
+  }
+  added.add(there, shift);
+  EXPECT_EQ(added.count, here.count);
+  EXPECT_LT((added.sum - here.sum).norm(), 1e-4f);
+  EXPECT_LT((added.squares - here.squares).norm(), 1e-3f);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/search/retroactive_search.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace revisit_slam {
+namespace {
+
+/// Five local maps along x, 100 m each, then back along them, `aside` metres away: 9 lies on 0,
+/// 8 on 1 and so on.
+class RetroactiveSearchTest : public testing::Test {
+ protected:
+  explicit RetroactiveSearchTest(double aside = 6.0) {
+    for (unsigned n = 0; n < 10; ++n) {
+      auto submap = std::make_shared<Submap>();
+      submap->first_scan = {100 * n};
+      submap->way_begin = 100.0 * n;
+      submap->way_end = 100.0 * n + 99.0;
+      submap->T_submap_scan.resize(100);
+      maps_.push_back(std::make_shared<LocalMap>(LocalMap{{n}, {submap}, {}}));
+      for (int m = 0; m < 100; ++m)
+        T_map_scan_.push_back({Eigen::Quaterniond::Identity(),
+                               n < 5 ? Eigen::Vector3d(100.0 * n + m, 0, 0)
+                                     : Eigen::Vector3d(100.0 * (10 - n) - m, aside, 0)});
+    }
+  }
+
+  std::vector<RetroactiveCandidate> search(std::optional<LocalMapId> p, unsigned n,
+                                           const std::set<LocalMapPair>& closed = {}) const {
+    return RetroactiveSearch({}).search(maps_, T_map_scan_, p, {n}, closed);
+  }
+
+  std::vector<LocalMapPtr> maps_;
+  std::vector<Pose> T_map_scan_;
+};
+
+bool contains(const std::vector<RetroactiveCandidate>& candidates, unsigned i, unsigned j) {
+  for (const RetroactiveCandidate& candidate : candidates)
+    if (candidate.maps == LocalMapPair{{i}, {j}}) return true;
+  return false;
+}
+
+TEST_F(RetroactiveSearchTest, FindsMissedLoops) {
+  const auto candidates = search({}, 9, {{{9}, {0}}});
+  for (unsigned i = 6; i < 9; ++i) EXPECT_TRUE(contains(candidates, i, 9 - i));
+  EXPECT_FALSE(contains(candidates, 9, 0));  // closed
+  EXPECT_FALSE(contains(candidates, 5, 4));  // neighbours
+  EXPECT_FALSE(contains(candidates, 9, 3));  // far apart
+}
+
+TEST_F(RetroactiveSearchTest, LooksOnlyBetweenTheClosures) {
+  for (const RetroactiveCandidate& candidate : search(LocalMapId{6}, 8)) {
+    EXPECT_GT(candidate.maps.first.value, 6u);
+    EXPECT_LE(candidate.maps.first.value, 8u);
+    EXPECT_LT(candidate.maps.second.value, candidate.maps.first.value);
+  }
+}
+
+TEST_F(RetroactiveSearchTest, TheBestIsNearAndFarFromOtherClosures) {
+  const auto candidates = search({}, 9, {{{9}, {0}}});
+  EXPECT_EQ(candidates.front().maps, (LocalMapPair{{6}, {3}}));
+  EXPECT_NEAR(candidates.front().hausdorff, std::hypot(6, 1), 1e-9);
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    EXPECT_LE(candidates[i].gain, candidates[i - 1].gain);
+}
+
+/// Three local maps of one submap each: 60 m ahead, 60 m on around a bend, and back beside the first.
+TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheWayBetweenTheirSubmapsIsLong) {
+  const Eigen::Vector3d corners[] = {{0, 0, 0}, {60, 0, 0}, {60, 5, 0}, {0, 5, 0}};
+  std::vector<SubmapPtr> submaps;
+  std::vector<Pose> T_map_scan;
+  for (unsigned n = 0; n < 3; ++n) {
+    auto submap = std::make_shared<Submap>();
+    submap->first_scan = {60 * n};
+    const Eigen::Vector3d step = (corners[n + 1] - corners[n]) / 60.0;
+    submap->way_begin = n == 0 ? 0.0 : submaps.back()->way_end;
+    submap->way_end = submap->way_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
+    submap->T_submap_scan.resize(60);
+    for (int m = 0; m < 60; ++m) {
+      submap->T_submap_scan[m].translation = m * step;
+      T_map_scan.push_back({Eigen::Quaterniond::Identity(), corners[n] + m * step});
+    }
+    submaps.push_back(submap);
+  }
+  const auto map = [](unsigned id, std::vector<SubmapPtr> parts) {
+    return std::make_shared<LocalMap>(LocalMap{{id}, std::move(parts), {}});
+  };
+  const std::vector<LocalMapPtr> maps{map(0, {submaps[0], submaps[1]}), map(1, {submaps[2]})};
+  const auto found = RetroactiveSearch({}).search(maps, T_map_scan, {}, {1}, {});
+  EXPECT_TRUE(contains(found, 1, 0));
+  RetroactiveConfig config;
+  config.association.min_way = 121.0;
+  EXPECT_TRUE(RetroactiveSearch(config).search(maps, T_map_scan, {}, {1}, {}).empty());
+}
+
+TEST_F(RetroactiveSearchTest, WithinTheReachOfTheOdometryAreOnlyMapsNotFarBack) {
+  const auto within = [&](double reach, unsigned n) {
+    RetroactiveConfig config;
+    config.odometry_reach = reach;
+    return RetroactiveSearch(config).searchInReach(maps_, T_map_scan_, {n}, {});
+  };
+  EXPECT_TRUE(contains(within(300.0, 6), 6, 3));  // 201 m back
+  EXPECT_FALSE(contains(within(300.0, 7), 7, 2));  // 401 m back
+  EXPECT_TRUE(contains(within(500.0, 7), 7, 2));
+  for (const RetroactiveCandidate& candidate : within(500.0, 7))
+    EXPECT_EQ(candidate.maps.first.value, 7u);
+  EXPECT_TRUE(within(0.0, 6).empty());
+  EXPECT_TRUE(within(300.0, 0).empty());
+}
+
+class DriftedSearchTest : public RetroactiveSearchTest {
+ protected:
+  DriftedSearchTest() : RetroactiveSearchTest(80.0) {}
+};
+
+TEST_F(DriftedSearchTest, StreetsFartherThanTheGapAreNoCandidates) {
+  EXPECT_FALSE(contains(search({}, 9), 8, 1));
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/occupancy/occupancy_builder.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random_numbers.h"
+
+namespace revisit_slam {
+namespace {
+
+Pose at(double x, double yaw = 0.0) {
+  return {expSO3({0, 0, yaw}), {x, 0, 0}};
+}
+
+struct Counts {
+  unsigned hits, misses;
+};
+
+Counts countsAt(const SubmapOccupancy& submap, const Voxel& voxel) {
+  const auto entry = submap.firstFrom(blockOf(voxel));
+  if (entry == submap.entries().end() || entry->block != blockOf(voxel)) return {0, 0};
+  const BlockCounts counts = submap.counts(*entry);
+  return {counts.hits(bitOf(voxel)), counts.misses(bitOf(voxel))};
+}
+
+/// A builder that takes every scan.
+OccupancyBuilder greedyBuilder() {
+  OccupancyConfig config;
+  config.scan_spacing = 0.0;
+  return OccupancyBuilder(config);
+}
+
+TEST(BlockCounter, CountsAndStaysAtItsMost) {
+  BlockCounter counter;
+  VoxelMask one, other;
+  one.set(7);
+  other.set(300);
+  for (int i = 0; i < 100; ++i) {
+    counter.add(one);
+    if (i < 37) counter.add(other);
+  }
+  EXPECT_EQ(counter.at(7), BlockCounter::kMost);
+  EXPECT_EQ(counter.at(300), 37);
+  EXPECT_EQ(counter.at(8), 0);
+}
+
+TEST(OccupancyBuilder, TakesAScanAfterEveryWayOrTurn) {
+  OccupancyBuilder builder{OccupancyConfig{}};
+  EXPECT_TRUE(builder.insert({{5, 0, 0}}, at(0.0), {0, 0, 0}));
+  EXPECT_FALSE(builder.insert({{5, 0, 0}}, at(1.9), {0, 0, 0}));
+  EXPECT_TRUE(builder.insert({{5, 0, 0}}, at(2.0), {0, 0, 0}));
+  EXPECT_FALSE(builder.insert({{5, 0, 0}}, at(2.5, 0.3), {0, 0, 0}));
+  EXPECT_TRUE(builder.insert({{5, 0, 0}}, at(2.5, 0.4), {0, 0, 0}));
+}
+
+TEST(OccupancyBuilder, ARobotThatStandsAddsNothing) {
+  OccupancyBuilder builder{OccupancyConfig{}};
+  for (int scan = 0; scan < 1000; ++scan) builder.insert({{5, 0, 0}}, at(0.0), {0, 0, 0});
+  EXPECT_EQ(countsAt(*builder.close(), {10, 0, 0}).hits, 1u);
+}
+
+TEST(OccupancyBuilder, CountsAVoxelOnceAScan) {
+  OccupancyBuilder builder = greedyBuilder();
+  for (int scan = 0; scan < 2; ++scan)
+    builder.insert({{5.1f, 0.1f, 0.1f}, {5.2f, 0.2f, 0.2f}, {5.3f, 0.1f, 0.3f}}, at(0.0),
+                   {0, 0, 0});
+  const SubmapOccupancyPtr submap = builder.close();
+  EXPECT_EQ(countsAt(*submap, {10, 0, 0}).hits, 2u);
+  EXPECT_EQ(countsAt(*submap, {5, 0, 0}).misses, 2u);
+}
+
+TEST(OccupancyBuilder, KeepsTheProportionOfManyCounts) {
+  OccupancyBuilder builder = greedyBuilder();
+  for (int scan = 0; scan < 24; ++scan)  // something stood there during a third of the scans
+    builder.insert({{scan % 3 == 0 ? 5.2f : 9.2f, 0.2f, 0.2f}}, at(0.0), {0, 0, 0});
+  const SubmapOccupancyPtr submap = builder.close();
+  const Counts crossed = countsAt(*submap, {10, 0, 0});
+  EXPECT_EQ(crossed.hits, 2u);
+  EXPECT_EQ(crossed.misses, 3u);
+  EXPECT_EQ(countsAt(*submap, {5, 0, 0}).misses, 3u);
+}
+
+TEST(OccupancyBuilder, OneHitAmongManyMissesIsNotForgotten) {
+  OccupancyBuilder builder = greedyBuilder();
+  for (int scan = 0; scan < 40; ++scan)
+    builder.insert({{scan == 7 ? 5.2f : 9.2f, 0.2f, 0.2f}}, at(0.0), {0, 0, 0});
+  EXPECT_EQ(countsAt(*builder.close(), {10, 0, 0}).hits, 1u);
+}
+
+TEST(OccupancyBuilder, IsEmptyOnceClosed) {
+  OccupancyBuilder builder{OccupancyConfig{}};
+  builder.insert({{5, 0, 0}}, at(0.0), {0, 0, 0});
+  EXPECT_FALSE(builder.close()->entries().empty());
+  EXPECT_TRUE(builder.close()->entries().empty());
+  EXPECT_TRUE(builder.insert({{5, 0, 0}}, at(0.0), {0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/pose_graph/slam_graph.h"
+
+#include <gtest/gtest.h>
+
+#include "graph_fixtures.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::uint32_t kNodes = 60;
+
+/// A straight drive of 1 m a scan that the odometry bends to the left.
+Pose bentPose(std::uint32_t i) {
+  Pose T;
+  const Pose step{expSO3({0.0, 0.0, 0.01}), {1.0, 0.0, 0.0}};
+  for (std::uint32_t k = 0; k < i; ++k) T = T * step;
+  return T;
+}
+
+SlamGraph bentDrive() {
+  SlamGraph graph({});
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    graph.add({ScanId{i}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
+  return graph;
+}
+
+/// As a registration that knows the truth would have it: scan `to` straight ahead of scan `from`.
+LoopConstraint straight(std::uint32_t from, std::uint32_t to, double aside = 0.0) {
+  LoopConstraint loop;
+  loop.constraint = {ScanId{from}, ScanId{to},
+                     {Eigen::Quaterniond::Identity(), {1.0 * to - from, aside, 0.0}},
+                     correlatedInformation(0.01, 0.0005)};
+  return loop;
+}
+
+double offLine(const SlamGraph& graph, std::uint32_t scan) {
+  return std::abs(graph.pose(ScanId{scan}).translation.y());
+}
+
+TEST(SlamGraph, StandsAsTheOdometryHasItWithoutLoops) {
+  SlamGraph graph = bentDrive();
+  EXPECT_TRUE(graph.optimise(ScanId{kNodes - 1}, {}));
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    EXPECT_LT((graph.pose(ScanId{i}).translation - bentPose(i).translation).norm(), 1e-9);
+}
+
+TEST(SlamGraph, LoopsCorrectAndLaterScansAreCarriedAlong) {
+  SlamGraph graph = bentDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{39}, {straight(0, 39)}));
+  EXPECT_LT(offLine(graph, 39), 0.2);
+  EXPECT_GT(graph.movedEnd(), 5.0);
+  const Pose T_39_50 = graph.pose(ScanId{39}).inverse() * graph.pose(ScanId{50});
+  EXPECT_LT(((bentPose(39).inverse() * bentPose(50)).translation - T_39_50.translation).norm(),
+            1e-9);
+  ASSERT_EQ(graph.loops().size(), 1u);
+  EXPECT_GT(graph.loops()[0].chi2_before, 100.0 * graph.loops()[0].chi2_after);
+  EXPECT_GT(graph.loops()[0].weight, 0.5);
+}
+
+TEST(SlamGraph, ALoopAgainstManyIsKeptButLeftOut) {
+  SlamGraph graph = bentDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{50}, {straight(0, 50), straight(2, 48), straight(5, 45)}));
+  const std::vector<Pose> before = graph.poses();
+  EXPECT_FALSE(graph.optimise(ScanId{55}, {straight(1, 47, 30.0)}));
+  ASSERT_EQ(graph.loops().size(), 4u);
+  EXPECT_EQ(graph.loops()[3].state, LoopState::contradicted);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(graph.poses()[i].translation, before[i].translation);
+  EXPECT_TRUE(graph.optimise(ScanId{59}, {straight(10, 59)}));  // and the graph goes on
+  EXPECT_EQ(graph.graph().loops().size(), 4u);
+}
+
+TEST(SlamGraph, NumbersThatAreNotFiniteLeaveTheLastGoodPoses) {
+  SlamGraph graph = bentDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{50}, {straight(0, 50)}));
+  const Pose before = graph.pose(ScanId{50});
+  LoopConstraint broken = straight(0, 51);
+  broken.constraint.T_from_to.translation.x() = std::nan("");
+  EXPECT_FALSE(graph.optimise(ScanId{55}, {broken}));
+  EXPECT_EQ(graph.lastSolution().outcome, SolveOutcome::failed);
+  EXPECT_EQ(graph.pose(ScanId{50}).translation, before.translation);
+}
+
+TEST(SlamGraph, ALoopTakenBackLeavesNothingBehind) {
+  SlamGraph graph = bentDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{50}, {straight(0, 50)}));
+  EXPECT_TRUE(graph.takeBack(LoopId{0}));
+  EXPECT_FALSE(graph.takeBack(LoopId{0}));
+  EXPECT_FALSE(graph.takeBack(LoopId{7}));
+  ASSERT_TRUE(graph.optimise(ScanId{50}, {}));
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    EXPECT_LT((graph.pose(ScanId{i}).translation - bentPose(i).translation).norm(), 1e-9);
+}
+
+TEST(SlamGraph, RefusesAGapInTheScans) {
+  SlamGraph graph = bentDrive();
+  EXPECT_THROW(graph.add({ScanId{kNodes + 1}, {}, {}, Matrix6::Identity()}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/slam_config.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace revisit_slam {
+namespace {
+
+TEST(SlamConfig, DeclaresEachParameterOnceWithAnAllowedDefault) {
+  SlamConfig config;
+  const auto parameters = parametersOf(config);
+  EXPECT_NO_THROW(check(parameters));
+  std::set<std::string> names;
+  for (const Parameter& parameter : parameters) {
+    EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
+    EXPECT_FALSE(parameter.description.empty()) << parameter.name;
+  }
+}
+
+}  // namespace
+}  // namespace revisit_slam
