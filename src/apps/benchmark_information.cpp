@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the information costs beside the odometry, and beside a brute-force evaluation, in one run.
 #include <sensor_msgs/PointCloud2.h>
+#include <tbb/task_arena.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,7 +11,8 @@
 #include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/ros/input/bag_scans.h"
-#include "revisit_slam/ros/node/front_end.h"
+#include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/ros/input/scan_reader.h"
 
 namespace revisit_slam {
 namespace {
@@ -59,10 +61,10 @@ void run(const std::string& path, const std::string& topic, const SlamConfig& co
   all_points_config.max_points = 1000000;
   const InformationEstimator all_points(all_points_config);
   std::vector<double> odometry_ms, fast_ms, all_points_ms, brute_ms;
-  double spent_ms = 0.0, checksum = 0.0;
+  double checksum = 0.0;
 
-  const auto measure = [&](RegisteredScan& scan, const LocalVoxelMap& map) {
-    CpuClock whole, clock;
+  const auto measure = [&](const RegisteredScan& scan, const LocalVoxelMap& map) {
+    CpuClock clock;
     const double tau = Registration::maxCorrespondenceDistance(scan.sigma);
     const RegistrationProblem problem = estimator.gather(scan.source_base, map, scan.T_odom_base, tau);
     checksum += estimator.estimate(problem).mean_squared_residual;
@@ -73,20 +75,27 @@ void run(const std::string& path, const std::string& topic, const SlamConfig& co
       checksum += bruteForce(scan.source_base, map, scan.T_odom_base, problem.tau, config.information);
       brute_ms.push_back(clock.lap());
     }
-    spent_ms = whole.lap();
   };
 
   BagScans bag({path}, topic);
   ScanReader reader(config.input);
-  Odometry odometry(config.odometry, measure);
+  Odometry odometry(config.odometry);
+  tbb::task_arena arena(config.odometry.threads);
   for (const rosbag::MessageInstance& instance : bag.messages()) {
     const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
     if (!cloud || odometry_ms.size() == max_scans) break;
     CpuClock clock;
-    spent_ms = 0.0;
     const ScanReading reading = reader.read(*cloud);
-    if (!reading.scan || !odometry.registerScan(*reading.scan).scan) continue;
-    odometry_ms.push_back(clock.lap() - spent_ms);
+    if (!reading.scan) continue;
+    arena.execute([&] {
+      const OdometryResult result = odometry.align(*reading.scan);
+      if (!result.scan) return;
+      double own_ms = clock.lap();
+      if (!odometry.map().empty()) measure(*result.scan, odometry.map());
+      clock.lap();
+      odometry.commit();
+      odometry_ms.push_back(own_ms + clock.lap());
+    });
   }
   const double own = median(odometry_ms);
   const auto line = [&](const char* name, double ms) {

@@ -35,26 +35,26 @@ SlamConfig readConfig(const Options& options) {
 }
 
 /// The points of each local map in its own frame, NNNNNN.pcd: the same input for other programs.
-void writeMaps(const std::string& folder, const std::vector<LocalMapPtr>& maps) {
+void writeMaps(const std::string& folder, const std::vector<MapClosure>& closures) {
   std::filesystem::create_directories(folder);
-  for (const LocalMapPtr& map : maps) {
+  for (const MapClosure& closure : closures) {
+    const LocalMap& map = *closure.search.map;
     char name[32];
-    std::snprintf(name, sizeof(name), "/%06u.pcd", map->id.value);
-    writePcd(folder + name, map->points);
+    std::snprintf(name, sizeof(name), "/%06u.pcd", map.id.value);
+    writePcd(folder + name, map.points);
   }
 }
 
 void run(const Options& options) {
   const SlamConfig config = readConfig(options);
   const PoseInterpolator truth(readTum(options.truth));
-  const MappedDrive drive = mapDrive(options.bag, options.topic, config, options.quiet);
-  const ClosedDrive closed = closeLoops(drive, config);
+  const ClosedDrive closed = closeLoops(options.bag, options.topic, config, options.quiet);
   const Judgement judgement =
-      judge(drive, closed, truth,
+      judge(closed, truth,
             static_cast<std::size_t>(config.loops.recognition.newest_excluded), options.limits);
   std::cout << reportText(judgement, closed);
   if (options.out.empty()) return;
-  writeMaps(options.out + "/maps", drive.maps);
+  writeMaps(options.out + "/maps", closed.maps);
   writeTum(options.out + "/trajectory.tum", closed.trajectory);
   writeWholeText(options.out + "/loops.json", reportJson(judgement, closed, options.limits));
 }

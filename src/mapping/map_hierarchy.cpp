@@ -8,6 +8,7 @@ namespace revisit_slam {
 
 ClosedMaps MapHierarchy::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
                                 const Points& points_base) {
+  next_submap_.session = open_.id.session = id.session;
   ClosedMaps closed;
   if (!builder_.empty()) {
     if (travel_.exceeds(config_.local_map, T_odom_base)) {
@@ -38,7 +39,7 @@ SubmapPtr MapHierarchy::closeSubmap() {
 }
 
 LocalMapPtr MapHierarchy::closeLocalMap() {
-  const LocalMapId next{open_.id.value + 1};
+  const LocalMapId next{open_.id.value + 1, open_.id.session};
   open_.points = unionOfPoints(open_.submaps, config_.local_map_voxel_size);
   auto local_map = std::make_shared<const LocalMap>(std::exchange(open_, LocalMap{next, {}, {}}));
   return local_map;

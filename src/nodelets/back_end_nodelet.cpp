@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <revisit_slam/LiveBackEndConfig.h>
-#include <revisit_slam/LiveLoopsConfig.h>
-#include <revisit_slam/LiveRetroactiveConfig.h>
-#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <boost/make_shared.hpp>
@@ -10,23 +7,19 @@
 #include <future>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "graph_display.h"
-#include "graph_services.h"
-#include "graph_session.h"
-#include "graph_status.h"
-#include "map_broadcaster.h"
-#include "occupancy_display.h"
-#include "revisit_slam/util/work_queue.h"
-#include "revisit_slam/util/niceness.h"
+#include "revisit_slam/ros/node/graph_display.h"
+#include "revisit_slam/ros/node/graph_services.h"
+#include "revisit_slam/ros/node/graph_status.h"
 #include "revisit_slam/ros/node/live_parameters.h"
-#include "revisit_slam/ros/node/session_messages.h"
-#include "revisit_slam/ros/node/session_order.h"
+#include "revisit_slam/ros/node/map_broadcaster.h"
+#include "revisit_slam/ros/node/occupancy_display.h"
+#include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/slam/back_end.h"
 #include "slam_nodelet.h"
 
 namespace revisit_slam {
 
-/// Keeps the pose graph, optimises it, searches retroactively and writes files, in a thread of its
-/// own, in the order in which scans, maps and loops arrive.
+/// Hosts the back-end, broadcasts what it corrects, shows the graph and offers its services.
 class BackEndNodelet : public SlamNodelet {
  public:
   BackEndNodelet() : SlamNodelet("graph") {}
@@ -36,64 +29,61 @@ class BackEndNodelet : public SlamNodelet {
     transform_timer_.stop();
     if (services_) services_->stop();
     for (ros::Subscriber* subscriber :
-         {&scan_subscriber_, &maps_subscriber_, &loops_subscriber_, &closed_subscriber_})
+         {&scan_subscriber_, &maps_subscriber_, &closures_subscriber_, &closed_subscriber_})
       subscriber->shutdown();
-    live_backend_.reset();
-    live_loops_.reset();
-    live_retroactive_.reset();
-    if (!queue_) return;
-    queue_->push([this] { endSession(); });
-    queue_->drain();
-    queue_->stop();
+    live_parameters_.reset();
+    if (!lane_) return;
+    lane_->post([this] {
+      if (stage_->session()) stage_->session()->writeGraph();
+    });
+    lane_->drain();
+    lane_->stop();
     display_.reset();
     occupancy_.reset();
   }
 
  private:
-  using InformedScanPtr = boost::shared_ptr<const InformedScan>;
-  using MapsPtr = boost::shared_ptr<const SessionMaps>;
-  using LoopsPtr = boost::shared_ptr<const SessionLoops>;
-  using ClosedPtr = boost::shared_ptr<const MapsClosed>;
-
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
-    working_config_ = config_;
     checkFolder();
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
-    arena_.initialize(config_.background.threads);
-    queue_ = std::make_unique<WorkQueue<std::function<void()>>>(
-        std::numeric_limits<std::size_t>::max(),
-        [this](const std::function<void()>& work) { doInArena(work); }, [] {});
-    queue_->push([this] {
-      setThreadNiceness(config_.background.niceness);
-      display_ = std::make_unique<GraphDisplay>(getNodeHandle(), config_.frames.map,
-                                                config_.backend.pulling_weight,
-                                                [this] { queue_->push([this] { draw(); }); });
-      occupancy_ = std::make_unique<OccupancyDisplay>(getNodeHandle(), config_.frames.map,
-                                                      config_.occupancy,
-                                                      [this] { queue_->push([this] { draw(); }); });
-    });
+    stage_ = std::make_unique<BackEnd>(
+        config_, [this](const MapCorrectionPtr& correction) { publish(correction); });
+    lane_ = makeLane(config_.background.niceness);
+    lane_->post([this] { startDisplay(); });
     services_ = std::make_unique<GraphServices>(
-        getPrivateNodeHandle(), [this](const GraphServices::Work& work) { doInWorker(work); },
+        getPrivateNodeHandle(), [this](const GraphServices::Work& work) { doInLane(work); },
         node.advertise<CloseMaps>("close_maps", 10));
-    startLiveParameters();
+    live_parameters_ = std::make_unique<LiveParameters<LiveBackEndConfig, BackEndConfig>>(
+        getPrivateNodeHandle(), "backend", config_.backend, [this](const BackEndConfig& config) {
+          lane_->post([this, config] { stage_->reconfigure(config); });
+        });
     transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
                                             [this](const auto&) { broadcaster_->broadcast(); });
+    subscribe(node);
+    correction_publisher_ =  // says that scans may come
+        node.advertise<MapCorrection>("map_correction", 100);
+  }
 
+  void subscribe(ros::NodeHandle& node) {
     const uint32_t depth = 0;  // no limit: none may be lost
     closed_subscriber_ = node.subscribe<MapsClosed>(
-        "maps_closed", depth,
-        [this](const ClosedPtr& closed) { queue_->push([this, closed] { handle(*closed); }); });
-    loops_subscriber_ = node.subscribe<SessionLoops>(
-        "loop_constraints", depth,
-        [this](const LoopsPtr& loops) { queue_->push([this, loops] { handle(*loops); }); });
-    maps_subscriber_ = node.subscribe<SessionMaps>("submap", depth, [this](const MapsPtr& maps) {
-      queue_->push([this, maps] { handle(*maps); });
-    });
+        "maps_closed", depth, [this](const boost::shared_ptr<const MapsClosed>& closed) {
+          lane_->post([this, closed] { finish(*closed); });
+        });
+    closures_subscriber_ = node.subscribe<LoopClosures>(
+        "loop_constraints", depth, [this](const boost::shared_ptr<const LoopClosures>& closures) {
+          lane_->post([this, closures] { close(*closures); });
+        });
+    maps_subscriber_ = node.subscribe<MapUpdate>(
+        "submap", depth, [this](const boost::shared_ptr<const MapUpdate>& maps) {
+          lane_->post([this, maps] { stage_->add(*maps); });
+        });
     scan_subscriber_ = node.subscribe<InformedScan>(
-        "informed_scan", depth, [this](const InformedScanPtr& scan) { take(*scan); });
-    correction_publisher_ =  // says that scans may come
-        node.advertise<SessionCorrection>("map_correction", 100);
+        "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
+          broadcaster_->onScan(informed->scan->id.session, informed->scan->stamp);
+          lane_->post([this, node = nodeOf(*informed)] { add(node); });
+        });
   }
 
   void checkFolder() const {
@@ -106,183 +96,98 @@ class BackEndNodelet : public SlamNodelet {
     throw ParameterError("live/folder");
   }
 
-  void startLiveParameters() {
-    const ros::NodeHandle& node = getPrivateNodeHandle();
-    live_backend_ = std::make_unique<LiveParameters<LiveBackEndConfig, BackEndConfig>>(
-        node, "backend", config_.backend, [this](const BackEndConfig& backend) {
-          reconfigure([backend](SlamConfig& config) { config.backend = backend; });
-        });
-    live_loops_ = std::make_unique<LiveParameters<LiveLoopsConfig, LoopsConfig>>(
-        node, "loops", config_.loops, [this](const LoopsConfig& loops) {
-          reconfigure([loops](SlamConfig& config) { config.loops = loops; });
-        });
-    live_retroactive_ = std::make_unique<LiveParameters<LiveRetroactiveConfig, RetroactiveConfig>>(
-        node, "retroactive", config_.retroactive, [this](const RetroactiveConfig& retroactive) {
-          reconfigure([retroactive](SlamConfig& config) { config.retroactive = retroactive; });
-        });
+  // In the lane.
+
+  void startDisplay() {
+    const auto draw_again = [this] { lane_->post([this] { draw(); }); };
+    display_ = std::make_unique<GraphDisplay>(getNodeHandle(), config_.frames.map,
+                                              config_.backend.pulling_weight, draw_again);
+    occupancy_ = std::make_unique<OccupancyDisplay>(getNodeHandle(), config_.frames.map,
+                                                    config_.occupancy, draw_again);
   }
 
-  // In the worker.
-
-  void doInArena(const std::function<void()>& work) {
-    try {
-      arena_.execute(work);
-    } catch (const std::exception& error) {  // such as a full disk; what follows is done
-      NODELET_ERROR("%s", error.what());
-      status_.noteError(error.what());
-    }
-  }
-
-  void handle(std::int64_t number, const GraphNode& node) {
-    switch (order_.take(number, node.id)) {
+  void add(const GraphNode& node) {
+    switch (stage_->add(node)) {
       case ScanOrder::missed:
+        status_.noteMissedScan();
         NODELET_WARN_THROTTLE(5.0,
                               "no graph: scans before this one were missed; call odometry/reset");
         return;
       case ScanOrder::first:
-        startSession(number, node.stamp);
+        occupancy_->clear();
+        if (!stage_->session()->folder().empty())
+          NODELET_INFO("writing to %s", stage_->session()->folder().c_str());
+        draw();
         break;
       case ScanOrder::next:
         break;
     }
-    if (!session_) return;
-    session_->add(node);
     constexpr std::size_t scans_per_path = 10;
-    if (session_->graph().size() % scans_per_path != 0) return;
-    noteStatus();
-    display_->drawPath(session_->graph());
+    if (stage_->session()->graph().size() % scans_per_path != 0) return;
+    status_.note(*stage_->session());
+    display_->drawPath(stage_->session()->graph());
   }
 
-  /// The session before lives on until its last maps have come.
-  void startSession(std::int64_t number, Stamp start) {
-    if (session_) session_->writeGraph();
-    before_ = std::move(session_);
-    before_number_ = number_;
-    number_ = number;
-    session_ = std::make_unique<GraphSession>(working_config_, start,
-                                              [this, number](const MapCorrectionPtr& correction) {
-                                                publish({number, correction});
-                                              });
-    occupancy_->clear();
-    if (!session_->folder().empty()) NODELET_INFO("writing to %s", session_->folder().c_str());
-    noteStatus();
+  void close(const LoopClosures& closures) {
+    if (ending_) return;
+    stage_->add(closures);
     draw();
   }
 
-  GraphSession* find(std::int64_t number) const {
-    if (session_ && number == number_) return session_.get();
-    return before_ && number == before_number_ ? before_.get() : nullptr;
-  }
-
-  void handle(const SessionMaps& maps) {
-    GraphSession* session = find(maps.session);
-    if (!session) return;
-    session->add(maps.maps);
-    noteStatus();
-  }
-
-  void handle(const SessionLoops& loops) {
-    GraphSession* session = find(loops.session);
-    if (!session || ending_) return;
-    session->add(loops.search);
-    noteStatus();
-    draw();
-  }
-
-  void handle(const MapsClosed& closed) {
-    GraphSession* session = find(closed.session);
-    if (!session) return services_->answer(closed.request, "there is nothing to finish");
-    session->after(closed.scans, [this, session, closed] {
-      std::string problem;
-      try {
-        session->finish();
-      } catch (const std::exception& error) {
-        problem = error.what();
-        NODELET_ERROR("%s", problem.c_str());
-      }
-      noteStatus();
+  void finish(const MapsClosed& closed) {
+    stage_->add(closed, [this, request = closed.request](const std::string& problem) {
+      if (!problem.empty()) noteError(problem);
       draw();
-      services_->answer(closed.request, problem);
+      services_->answer(request, problem);
     });
-    if (session == before_.get()) before_.reset();
   }
 
-  void publish(const SessionCorrection& correction) {
-    if (correction.session != number_) return;
-    broadcaster_->correct(correction.session, correction.correction->T_map_odom);
-    correction_publisher_.publish(boost::make_shared<const SessionCorrection>(correction));
-    status_.noteCorrection(*correction.correction);
-  }
-
-  void noteStatus() {
-    if (session_) status_.note(*session_);
+  void publish(const MapCorrectionPtr& correction) {
+    broadcaster_->correct(correction->session, correction->T_map_odom);
+    correction_publisher_.publish(toBoostPointer(correction));
+    status_.noteCorrection(*correction);
   }
 
   void draw() {
-    if (!session_) return;
-    display_->draw(session_->graph(), session_->submaps());
-    occupancy_->draw(*session_);
-  }
-
-  void endSession() {
-    if (session_) session_->writeGraph();
-  }
-
-  void reconfigure(const std::function<void(SlamConfig&)>& change) {
-    queue_->push([this, change] {
-      change(working_config_);
-      if (session_) session_->backEnd().reconfigure(working_config_);
-    });
+    if (!stage_->session()) return;
+    status_.note(*stage_->session());
+    display_->draw(stage_->session()->graph(), stage_->session()->submaps());
+    occupancy_->draw(*stage_->session());
   }
 
   // In the threads of the services.
 
-  /// Waits until the worker has done this. @throws what it throws.
-  void doInWorker(const GraphServices::Work& work) {
+  /// Waits until the lane has done this. @throws what it throws.
+  void doInLane(const GraphServices::Work& work) {
     std::packaged_task<void()> task([&] {
-      work(session_.get());
-      noteStatus();
+      work(stage_->session());
       draw();
     });
-    queue_->push([&task] { task(); });
+    lane_->post([&task] { task(); });
     task.get_future().get();
   }
 
   // In the threads of the node.
 
-  void take(const InformedScan& informed) {
-    broadcaster_->onScan(informed.scan->session, informed.scan->stamp);
-    queue_->push([this, session = informed.scan->session, node = nodeOf(informed)] {
-      handle(session, node);
-    });
-  }
-
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
-    status_.tell(queue_->waiting(), status);
+    status_.tell(lane_->waiting(), status);
   }
 
   ros::Publisher correction_publisher_;
   std::unique_ptr<MapBroadcaster> broadcaster_;
   std::atomic<bool> ending_{false};
+  GraphStatus status_;
 
-  // Of the worker.
-  tbb::task_arena arena_;
-  SlamConfig working_config_;
-  SessionOrder order_;
-  std::int64_t number_ = 0, before_number_ = 0;
-  std::unique_ptr<GraphSession> session_, before_;
+  // Of the lane.
+  std::unique_ptr<BackEnd> stage_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;
 
-  GraphStatus status_;
-
-  std::unique_ptr<WorkQueue<std::function<void()>>> queue_;
-  ros::Subscriber scan_subscriber_, maps_subscriber_, loops_subscriber_, closed_subscriber_;
+  std::unique_ptr<ThreadLane> lane_;
+  ros::Subscriber scan_subscriber_, maps_subscriber_, closures_subscriber_, closed_subscriber_;
   ros::WallTimer transform_timer_;
   std::unique_ptr<GraphServices> services_;
-  std::unique_ptr<LiveParameters<LiveBackEndConfig, BackEndConfig>> live_backend_;
-  std::unique_ptr<LiveParameters<LiveLoopsConfig, LoopsConfig>> live_loops_;
-  std::unique_ptr<LiveParameters<LiveRetroactiveConfig, RetroactiveConfig>> live_retroactive_;
+  std::unique_ptr<LiveParameters<LiveBackEndConfig, BackEndConfig>> live_parameters_;
 };
 
 }  // namespace revisit_slam

@@ -3,6 +3,7 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/parameter_server.h"
 
 namespace revisit_slam {
@@ -21,13 +22,36 @@ void SlamNodelet::onInit() {
                                             [this](const auto&) { publishDiagnostics(); });
 }
 
+std::unique_ptr<ThreadLane> SlamNodelet::makeLane(int niceness) {
+  return std::make_unique<ThreadLane>(niceness, [this](std::exception_ptr error) {
+    guarded([&] { std::rethrow_exception(error); });
+  });
+}
+
+void SlamNodelet::noteError(const std::string& error) {
+  NODELET_ERROR("%s", error.c_str());
+  const std::lock_guard<std::mutex> lock(errors_mutex_);
+  ++errors_;
+  untold_error_ = error;
+}
+
 void SlamNodelet::publishDiagnostics() {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = ros::Time::now();
   array.status.resize(1);
   array.status[0].name = getName() + ": " + part_;
   diagnose(array.status[0]);
+  tellErrors(array.status[0]);
   diagnostics_publisher_.publish(array);
+}
+
+void SlamNodelet::tellErrors(diagnostic_msgs::DiagnosticStatus& status) {
+  const std::lock_guard<std::mutex> lock(errors_mutex_);
+  addValue("errors", std::to_string(errors_), status);
+  if (untold_error_.empty()) return;
+  status.level = status.ERROR;
+  status.message = untold_error_;
+  untold_error_.clear();
 }
 
 }  // namespace revisit_slam

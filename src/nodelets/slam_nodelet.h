@@ -5,13 +5,16 @@
 #include <nodelet/nodelet.h>
 #include <ros/node_handle.h>
 
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/util/lane.h"
 
 namespace revisit_slam {
 
-/// What all nodelets have in common: they read their parameters, start, and say how they are.
+/// What all nodelets have in common: they read their parameters, start, and report how they are.
 class SlamNodelet : public nodelet::Nodelet {
  protected:
   /// `part`: what the diagnostics are about.
@@ -24,15 +27,35 @@ class SlamNodelet : public nodelet::Nodelet {
   /// First thing in destructors: nothing may call into an object while its parts go.
   void stopDiagnostics() { diagnostics_timer_.stop(); }
 
+  /// A thread for the work of the stage. What that throws is reported and counted, and the stage goes on.
+  std::unique_ptr<ThreadLane> makeLane(int niceness);
+  /// For diagnostics, where it is told once. Thread-safe.
+  void noteError(const std::string& error);
+
+  /// Does work, and reports and counts what it throws.
+  template <typename Work>
+  void guarded(const Work& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      noteError(error.what());
+    }
+  }
+
   SlamConfig config_;
 
  private:
   void onInit() override;
   void publishDiagnostics();
+  void tellErrors(diagnostic_msgs::DiagnosticStatus& status);
 
   const std::string part_;
   ros::Publisher diagnostics_publisher_;
   ros::WallTimer diagnostics_timer_;
+
+  std::mutex errors_mutex_;  // guards the next two
+  std::size_t errors_ = 0;
+  std::string untold_error_;
 };
 
 }  // namespace revisit_slam

@@ -31,33 +31,28 @@ const char* toString(OdometryOutcome outcome) {
   return "unknown";
 }
 
-Odometry::Odometry(const OdometryConfig& config, BeforeInsertion before_insertion)
+Odometry::Odometry(const OdometryConfig& config)
+    : Odometry(config, std::make_unique<ConstantVelocityPredictor>(config)) {}
+
+Odometry::Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor> predictor)
     : config_(config),
-      before_insertion_(std::move(before_insertion)),
-      arena_(config.threads),
+      predictor_(std::move(predictor)),
       map_(config.map, config.registration.planes),
       registration_(config.registration),
       threshold_(config.threshold, config.max_range) {}
 
-OdometryResult Odometry::registerScan(const Scan& scan) {
+OdometryResult Odometry::align(const Scan& scan) {
   OdometryResult result;
-  arena_.execute([&] { result = registerInArena(scan); });
-  return result;
-}
-
-OdometryResult Odometry::registerInArena(const Scan& scan) {
-  OdometryResult result;
+  aligned_.reset();
   if (scans_ > 0 && scan.stamp <= previous_stamp_) {
     result.outcome = scan.stamp == previous_stamp_ ? OdometryOutcome::duplicate_stamp
                                                    : OdometryOutcome::time_went_back;
     return result;
   }
-  const double seconds = secondsSincePrevious(scan.stamp);
-  const bool long_gap = seconds > config_.max_prediction_time;
-  const bool knows_motion = scans_ > 1 && !long_gap;
   StageClock clock;
-  PreprocessedScan preprocessed =
-      preprocess(scan, motion_, config_, knows_motion ? seconds : 0.0);
+  const PredictedMotion predicted = predictor_->predict(scan.stamp);
+  PreprocessedScan preprocessed = preprocess(scan, predicted.velocity, config_,
+                                             predicted.is_known ? predicted.seconds : 0.0);
   result.too_near = preprocessed.too_near;
   result.too_far = preprocessed.too_far;
   if (preprocessed.points_base.empty()) {
@@ -76,32 +71,43 @@ OdometryResult Odometry::registerInArena(const Scan& scan) {
   downsample(registered);
   clock.stage("downsample");
 
-  const Pose T_odom_predicted =
-      T_odom_previous_ * motion_.after(std::min(seconds, config_.max_prediction_time));
-  registered.sigma = long_gap ? std::max(config_.threshold.initial, threshold_.sigma())
-                              : threshold_.sigma();
+  const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
+  registered.sigma = predicted.is_after_gap
+                         ? std::max(config_.threshold.initial, threshold_.sigma())
+                         : threshold_.sigma();
   registered.registration = registration_.align(registered.source_base, source_lags_, map_,
                                                 T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
-  if (scans_ == 1 && !long_gap) startAgain(scan, seconds, registered);
-  registered.deskew_error =
-      log(T_odom_predicted.inverse() * registered.T_odom_base) - registered.registration.bend;
-  if (!lags_.empty()) deskewAgain(registered);
-  clock.stage("register");
-
-  if (before_insertion_ && !map_.empty()) before_insertion_(registered, map_);
-  clock.stage("gather");
-
-  if (!long_gap) threshold_.update(T_odom_predicted.inverse() * registered.T_odom_base);
-  map_.insert(map_points_base_, registered.T_odom_base);
-  map_.dropBeyond(registered.T_odom_base.translation, config_.max_range);
-  updateMotion(registered.T_odom_base, seconds);
-  registered.velocity_base = motion_.velocity();
-  previous_stamp_ = scan.stamp;
   if (scans_ == 0 && registered.deskewed) first_scan_ = scan;
-  ++scans_;
-  clock.stage("update_map");
+  if (scans_ == 1 && !predicted.is_after_gap) startAgain(scan, predicted.seconds, registered);
+  const Pose deviation = T_odom_predicted.inverse() * registered.T_odom_base;
+  registered.deskew_error = log(deviation) - registered.registration.bend;
+  if (!lags_.empty()) deskewAgain(registered);
+  registered.seconds_since_previous = predicted.seconds;
+  if (predicted.seconds > 0.0)
+    registered.velocity_base =
+        log(T_odom_previous_.inverse() * registered.T_odom_base) / predicted.seconds;
+  aligned_ = {scan.stamp, registered.T_odom_base, deviation, predicted.is_after_gap};
+  clock.stage("register");
   result.times = clock.times();
+  return result;
+}
+
+void Odometry::commit() {
+  const Aligned aligned = aligned_.value();
+  aligned_.reset();
+  if (!aligned.is_after_gap) threshold_.update(aligned.deviation);
+  map_.insert(map_points_base_, aligned.T_odom_base);
+  map_.dropBeyond(aligned.T_odom_base.translation, config_.max_range);
+  predictor_->observe(aligned.stamp, aligned.T_odom_base);
+  T_odom_previous_ = aligned.T_odom_base;
+  previous_stamp_ = aligned.stamp;
+  ++scans_;
+}
+
+OdometryResult Odometry::registerScan(const Scan& scan) {
+  OdometryResult result = align(scan);
+  if (result.scan) commit();
   return result;
 }
 
@@ -145,21 +151,12 @@ void Odometry::deskewAgain(RegisteredScan& registered) {
   straighten(registered.source_base, source_lags_, bend);
 }
 
-double Odometry::secondsSincePrevious(Stamp stamp) const {
-  return scans_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
-}
-
-void Odometry::updateMotion(const Pose& T_odom_base, double seconds) {
-  if (seconds > 0.0) motion_ = ConstantMotion(log(T_odom_previous_.inverse() * T_odom_base) / seconds);
-  T_odom_previous_ = T_odom_base;
-}
-
 void Odometry::reconfigure(const OdometryConfig& config) {
   config_.max_range = config.max_range;
   threshold_.setMaxRange(config.max_range);
   config_.min_range = config.min_range;
   config_.deskew = config.deskew;
-  config_.max_prediction_time = config.max_prediction_time;
+  predictor_->reconfigure(config);
 }
 
 }  // namespace revisit_slam

@@ -186,16 +186,6 @@ Tangent stepWithBend(NormalEquations equations, const Tangent& deviation,
 
 }  // namespace
 
-const char* toString(RegistrationOutcome outcome) {
-  switch (outcome) {
-    case RegistrationOutcome::converged: return "converged";
-    case RegistrationOutcome::max_iterations: return "stopped at the largest number of iterations";
-    case RegistrationOutcome::too_few_correspondences: return "too few correspondences";
-    case RegistrationOutcome::map_empty: return "first scan";
-  }
-  return "unknown";
-}
-
 RegistrationResult Registration::align(const Points& points_base, const std::vector<float>& lags,
                                        const LocalVoxelMap& map, const Pose& T_odom_predicted,
                                        double sigma) {

@@ -11,6 +11,14 @@
 
 namespace revisit_slam {
 
+Trajectory trajectoryOf(const SlamGraph& graph) {
+  Trajectory trajectory;
+  trajectory.reserve(graph.size());
+  for (const GraphNode& node : graph.nodes())
+    trajectory.push_back({node.stamp, graph.pose(node.id)});
+  return trajectory;
+}
+
 void writeGraph(const std::string& path, const SlamGraph& graph) {
   G2oGraph file{graph.graph(), std::vector<std::uint64_t>(graph.size())};
   std::iota(file.ids.begin(), file.ids.end(), 0);

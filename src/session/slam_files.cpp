@@ -29,18 +29,18 @@ void SlamFiles::add(const MapUpdate& update) {
   if (update.occupancy) occupancy_of_[update.submap->id] = update.occupancy;
 }
 
-void SlamFiles::writeGraphFiles(const BackEnd& back_end) const {
-  const Trajectory trajectory = back_end.trajectory();
+void SlamFiles::writeGraphFiles(const SlamGraph& graph) const {
+  const Trajectory trajectory = trajectoryOf(graph);
   writeTum(file("trajectory.tum"), trajectory);
   writeKitti(file("trajectory_kitti.txt"), trajectory);
-  writeGraph(file("pose_graph.g2o"), back_end.graph());
-  writeLoops(file("loop_closures.csv"), back_end.graph());
-  submaps_.writeTable(placesOfSubmaps(back_end));
+  writeGraph(file("pose_graph.g2o"), graph);
+  writeLoops(file("loop_closures.csv"), graph);
+  submaps_.writeTable(placesOfSubmaps(graph));
 }
 
-void SlamFiles::write(const BackEnd& back_end) {
-  writeGraphFiles(back_end);
-  const std::vector<Pose> T_map_submap = placesOfSubmaps(back_end);
+void SlamFiles::write(const SlamGraph& graph) {
+  writeGraphFiles(graph);
+  const std::vector<Pose> T_map_submap = placesOfSubmaps(graph);
   submaps_.merge(file("map.pcd"), T_map_submap, detail_voxel_size_);
   if (!occupancy_of_.empty()) writeOccupancy(T_map_submap);
 }
@@ -53,18 +53,18 @@ void SlamFiles::writeOccupancy(const std::vector<Pose>& T_map_submap) {
   writeGrid(file("map"), projectedGrid(occupancy_, grid_));
 }
 
-std::vector<Pose> SlamFiles::placesOfSubmaps(const BackEnd& back_end) const {
+std::vector<Pose> SlamFiles::placesOfSubmaps(const SlamGraph& graph) const {
   std::vector<Pose> T_map_submap;
   for (const SubmapPtr& submap : submaps_.submaps())
-    T_map_submap.push_back(back_end.graph().pose(submap->first_scan));
+    T_map_submap.push_back(graph.pose(submap->first_scan));
   return T_map_submap;
 }
 
-MapConsistency SlamFiles::consistency(const BackEnd& back_end) const {
+MapConsistency SlamFiles::consistency(const SlamGraph& graph) const {
   ConsistencyConfig config;
   config.cell_size = kConsistencyCell;
-  ConsistencyBuilder builder(findRevisits(back_end.trajectory(), config), config);
-  const std::vector<Pose> T_map_submap = placesOfSubmaps(back_end);
+  ConsistencyBuilder builder(findRevisits(trajectoryOf(graph), config), config);
+  const std::vector<Pose> T_map_submap = placesOfSubmaps(graph);
   for (std::size_t i = 0; i < T_map_submap.size(); ++i) {
     const Stamp keypose = submaps_.submaps()[i]->stamps.front();
     if (builder.wants(keypose)) builder.insert(keypose, submaps_.read(i), T_map_submap[i]);

@@ -3,38 +3,49 @@
 
 namespace revisit_slam {
 
-const char* toString(InformationSource source) {
-  switch (source) {
-    case InformationSource::estimated: return "estimated";
-    case InformationSource::repeated: return "repeated";
-    case InformationSource::identity: return "identity";
-  }
-  return "unknown";
-}
-
 InformationStage::InformationStage(const InformationConfig& config)
-    : estimator_(config), covariance_(config) {}
+    : config_(config), estimator_(config), motion_covariance_(config) {}
 
-InformedScan InformationStage::inform(std::shared_ptr<const RegisteredScan> scan) {
+InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_t waiting) {
   InformedScan informed;
-  informed.scan = std::move(scan);
-  covariance_.observe(informed.scan->deskew_error);
-  if (informed.scan->problem.points_base.empty()) return informed;
-  arena_.execute([&] { informed.estimate = estimator_.estimate(informed.scan->problem); });
-  informed.source = InformationSource::estimated;
-  informed.covariance_motion = covariance_.of(informed.estimate);
-  last_estimate_ = informed.estimate;
+  informed.scan = odometry.scan;
+  if (informed.scan->id.value == 0) startSession();
+  motion_covariance_.observe(informed.scan->deskew_error);
+  if (waiting > static_cast<std::size_t>(config_.max_waiting)) {
+    informed.estimate = last_estimate_;
+    informed.source = InformationSource::repeated;
+    informed.covariance_motion = motion_covariance_.of(last_estimate_);
+  } else if (odometry.problem) {
+    estimate(*odometry.problem, informed);
+  }
+  growCovariance(informed);
   return informed;
 }
 
-InformedScan InformationStage::repeat(std::shared_ptr<const RegisteredScan> scan) {
-  covariance_.observe(scan->deskew_error);
-  return {std::move(scan), last_estimate_, InformationSource::repeated,
-          covariance_.of(last_estimate_)};
+void InformationStage::startSession() {
+  motion_covariance_ = MotionCovariance(config_);
+  pose_covariance_ = PoseCovariance();
+  last_estimate_ = {};
+}
+
+void InformationStage::estimate(const RegistrationProblem& problem, InformedScan& informed) {
+  arena_.execute([&] { informed.estimate = estimator_.estimate(problem); });
+  informed.source = InformationSource::estimated;
+  informed.covariance_motion = motion_covariance_.of(informed.estimate);
+  last_estimate_ = informed.estimate;
+}
+
+void InformationStage::growCovariance(InformedScan& informed) {
+  const Pose& T_odom_base = informed.scan->T_odom_base;
+  if (informed.scan->id.value > 0)
+    pose_covariance_.move(T_odom_previous_.inverse() * T_odom_base, informed.covariance_motion);
+  T_odom_previous_ = T_odom_base;
+  informed.covariance_pose = pose_covariance_.base();
 }
 
 void InformationStage::reconfigure(const InformationConfig& config) {
-  covariance_.reconfigure(config);
+  config_ = config;
+  motion_covariance_.reconfigure(config);
   estimator_.setWeakRatio(config.weak_ratio);
 }
 

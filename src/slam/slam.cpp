@@ -1,60 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/slam.h"
 
-#include "revisit_slam/util/niceness.h"
+#include <stdexcept>
+#include <utility>
 
 namespace revisit_slam {
-namespace {
 
-/// Scans that may wait for the background; light, as only their graph nodes wait.
-constexpr std::size_t kMostWaiting = 200;
-
-}  // namespace
-
-Slam::Slam(const SlamConfig& config, SlamObserver& observer)
+Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor)
     : observer_(observer),
-      background_(config.background),
-      builder_(config.mapping, config.occupancy),
-      loops_(config.loops, config.information),
+      executor_(executor),
+      with_maps_(config.mapping.enabled),
+      odometry_(config),
+      information_(config.information),
       back_end_(config,
-                [this](const MapCorrectionPtr& correction) { observer_.onCorrection(correction); }),
-      arena_(config.background.threads),
-      queue_(kMostWaiting, [this](const Work& item) { work(item); }, [] {}) {}
+                [this](const MapCorrectionPtr& correction) {
+                  observer_.onCorrection(correction);
+                  maps_.correct(correction);
+                }),
+      maps_(config, foreground_, executor.background(), outputsOfMaps()) {}
 
-Slam::~Slam() { queue_.stop(); }
+/// What waits in the background speaks to the stages.
+Slam::~Slam() {
+  executor_.background().drain();
+}
+
+MapManager::Outputs Slam::outputsOfMaps() {
+  MapManager::Outputs outputs;
+  outputs.maps = [this](const MapUpdatePtr& maps) {
+    observer_.onMaps(*maps);
+    executor_.background().post([this, maps] { back_end_.add(*maps); });
+  };
+  outputs.session = [](SessionId) {};
+  outputs.loops.search = [this](const LoopSearchResult& result) { observer_.onLoopSearch(result); };
+  outputs.loops.closures = [this](const LoopClosures& closures) {
+    executor_.background().post([this, closures] { back_end_.add(closures); });
+  };
+  outputs.loops.closed = [](const MapsClosed&) {};
+  outputs.loops.problem = [](const std::string& problem) { throw std::runtime_error(problem); };
+  return outputs;
+}
+
+void Slam::insert(ScanReading reading, const StageTimes& times_before) {
+  const OdometryStage::Result result = odometry_.process(std::move(reading));
+  if (!result.output.scan) return observer_.onRejection(result.rejection);
+  StageTimes times = times_before;
+  times.insert(times.end(), result.times.begin(), result.times.end());
+  StageClock clock;
+  const InformedScan informed = information_.inform(result.output);
+  clock.stage("information");
+  insert(informed);
+  clock.stage("maps");
+  for (const auto& time : clock.times()) times.push_back(time);
+  observer_.onScan(informed, times);
+}
 
 void Slam::insert(const InformedScan& informed) {
-  hand(builder_.insert(*informed.scan));
-  queue_.pushWaiting(nodeOf(informed));
+  if (!with_maps_) return;
+  maps_.insert(informed.scan);
+  executor_.background().post([this, node = nodeOf(informed)] { back_end_.add(node); });
 }
 
 void Slam::finish() {
-  hand(builder_.closeAll());
-  queue_.pushWaiting(Finish{});
-  queue_.drain();
-  if (error_) std::rethrow_exception(error_);
-}
-
-void Slam::hand(const MapUpdate& update) {
-  if (update.submap) observer_.onMaps(update);
-  if (update.local_map) queue_.pushWaiting(update.local_map);
-}
-
-void Slam::work(const Work& item) {
-  if (error_) return;
-  if (!nice_) setThreadNiceness(background_.niceness);
-  nice_ = true;
-  try {
-    arena_.execute([&] { std::visit([this](const auto& what) { handle(what); }, item); });
-  } catch (...) {
-    error_ = std::current_exception();
-  }
-}
-
-void Slam::handle(const LocalMapPtr& map) {
-  const LoopSearchResult result = loops_.search(map);
-  observer_.onLoopSearch(result);
-  back_end_.add(map, result.accepted());
+  if (with_maps_) maps_.close(0);
+  executor_.finish();
 }
 
 }  // namespace revisit_slam

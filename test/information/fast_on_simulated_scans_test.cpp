@@ -18,9 +18,9 @@ TEST_P(FastOnSimulatedScans, EqualsBruteForceToTheLastBit) {
   const World world = makeWorld({}, route);
   const ScanSimulator simulator(world, route, makeSensor(GetParam()), {});
   BruteForceComparison comparison(12);
-  Odometry odometry({}, std::ref(comparison));
+  Odometry odometry{OdometryConfig{}};
   simulateDrive(simulator, route, 15, 2, [&](int, const SimulatedScan& simulated) {
-    odometry.registerScan(simulated.scan);
+    comparison.registerScan(odometry, simulated.scan);
   });
   EXPECT_EQ(comparison.compared(), 3);
 }

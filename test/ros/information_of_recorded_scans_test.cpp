@@ -17,13 +17,13 @@ TEST(InformationOfRecordedScans, EqualsBruteForceToTheLastBit) {
   BagScans bag({std::string(data) + "/kitti_raw_0001/kitti_raw_0001.bag"}, "");
   ScanReader reader{ScanInputConfig{}};
   BruteForceComparison comparison(8);
-  Odometry odometry({}, std::ref(comparison));
+  Odometry odometry{OdometryConfig{}};
   int scans = 0;
   for (const rosbag::MessageInstance& instance : bag.messages()) {
     if (++scans > 12) break;
     const ScanReading reading = reader.read(*instance.instantiate<sensor_msgs::PointCloud2>());
     ASSERT_TRUE(reading.scan);
-    odometry.registerScan(*reading.scan);
+    comparison.registerScan(odometry, *reading.scan);
   }
   EXPECT_EQ(comparison.compared(), 4);
 }

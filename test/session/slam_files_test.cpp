@@ -7,6 +7,7 @@
 
 #include "revisit_slam/io/g2o.h"
 #include "revisit_slam/io/pcd.h"
+#include "revisit_slam/slam/slam_config.h"
 #include "support/synthetic_street.h"
 #include "support/temporary_folder.h"
 
@@ -26,22 +27,22 @@ class SlamFilesTest : public testing::Test {
       scan.stamp = Stamp::fromSeconds(100.0 + 0.1 * id);
       scan.T_odom_base = T;
       scan.points_base = street.scan(T);
-      back_end_.add({scan.id, scan.stamp, scan.T_odom_base, Matrix6::Identity()});
+      graph_.add({scan.id, scan.stamp, scan.T_odom_base, Matrix6::Identity()});
       files.add(builder.insert(scan));
     }
     files.add(builder.closeAll());
   }
 
   SlamConfig config_;
-  BackEnd back_end_{config_, [](const MapCorrectionPtr&) {}};
+  SlamGraph graph_{config_.backend};
   TemporaryFolder folder_;
 };
 
 TEST_F(SlamFilesTest, EveryFileIsThereAndTellsTheSame) {
   SlamFiles files(folder_.file("run"), config_.mapping, config_.occupancy);
   driveThrough(files);
-  files.write(back_end_);
-  const std::size_t scans = back_end_.graph().size();
+  files.write(graph_);
+  const std::size_t scans = graph_.size();
   EXPECT_EQ(readTum(files.file("trajectory.tum")).size(), scans);
   EXPECT_EQ(readG2o(files.file("pose_graph.g2o")).graph.poses().size(), scans);
   for (const char* name : {"trajectory_kitti.txt", "loop_closures.csv", "submaps/submaps.csv",
@@ -64,7 +65,7 @@ TEST_F(SlamFilesTest, WithoutOccupancyThereIsNoOctomap) {
   config_.occupancy.enabled = false;
   SlamFiles files(folder_.file("run"), config_.mapping, config_.occupancy);
   driveThrough(files);
-  files.write(back_end_);
+  files.write(graph_);
   EXPECT_FALSE(std::filesystem::exists(files.file("map.bt")));
   EXPECT_TRUE(std::filesystem::exists(files.file("map.pcd")));
 }
@@ -72,7 +73,7 @@ TEST_F(SlamFilesTest, WithoutOccupancyThereIsNoOctomap) {
 TEST_F(SlamFilesTest, ADriveWithoutRevisitsHasNoConsistency) {
   SlamFiles files(folder_.file("run"), config_.mapping, config_.occupancy);
   driveThrough(files);
-  EXPECT_TRUE(files.consistency(back_end_).cells.empty());
+  EXPECT_TRUE(files.consistency(graph_).cells.empty());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/simulated_slam.h"
 
 namespace revisit_slam {
@@ -16,19 +18,26 @@ const InformedDrive& oppositeDrive() {
 }
 
 struct SlamRun {
-  explicit SlamRun(const SlamConfig& config) : slam(config, recorder) {
+  explicit SlamRun(const SlamConfig& config)
+      : executor(config.background), slam(config, recorder, executor) {
     for (const InformedScan& scan : oppositeDrive().scans) slam.insert(scan);
     slam.finish();
   }
-  const BackEnd& backEnd() const { return slam.backEnd(); }
+  const SlamGraph& graph() const { return slam.session()->graph(); }
+  Trajectory trajectory() const { return trajectoryOf(graph()); }
 
   SlamRecorder recorder;
+  StagedExecutor executor;
   Slam slam;
 };
 
 const SlamRun& fullRun() {
   static const SlamRun run{SlamConfig{}};
   return run;
+}
+
+bool isByAppearance(const LoopSearchResult& search) {
+  return search.origin == LoopOrigin::appearance;
 }
 
 Trajectory odometryOf(const InformedDrive& drive) {
@@ -39,12 +48,12 @@ Trajectory odometryOf(const InformedDrive& drive) {
 }
 
 TEST(Slam, ClosesTheLoopAndComesNearerToTheTruth) {
-  ASSERT_FALSE(fullRun().backEnd().graph().loops().empty());
+  ASSERT_FALSE(fullRun().graph().loops().empty());
   const auto error = [](const Trajectory& trajectory) {
     return errorOf(trajectory, oppositeDrive().truth, 150);
   };
   const double before = error(odometryOf(oppositeDrive()));
-  const double after = error(fullRun().backEnd().trajectory());
+  const double after = error(fullRun().trajectory());
   EXPECT_LT(after, 0.6 * before);
   RecordProperty("before_m", std::to_string(before));
   RecordProperty("after_m", std::to_string(after));
@@ -55,7 +64,7 @@ TEST(Slam, ClosesTheLoopAndComesNearerToTheTruth) {
 TEST(Slam, LoopsAreRight) {
   const std::vector<Pose>& truth = oppositeDrive().truth;
   int judged = 0;
-  for (const LoopEdge& edge : fullRun().backEnd().graph().loops()) {
+  for (const LoopEdge& edge : fullRun().graph().loops()) {
     const Constraint& loop = edge.loop.constraint;
     if (edge.loop.target == SubmapId{0}) continue;
     ++judged;
@@ -72,7 +81,21 @@ TEST(Slam, TheSameBitsForAnyThreadsAndEveryRun) {
   config.background.threads = 3;
   config.backend.solver.threads = 1;
   const SlamRun other(config);
-  const Trajectory a = fullRun().backEnd().trajectory(), b = other.backEnd().trajectory();
+  const Trajectory a = fullRun().trajectory(), b = other.trajectory();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].T_world_base.translation, b[i].T_world_base.translation) << "scan " << i;
+    ASSERT_EQ(a[i].T_world_base.rotation.coeffs(), b[i].T_world_base.rotation.coeffs());
+  }
+}
+
+TEST(Slam, TheSameBitsInOneThreadAndStaged) {
+  SlamRecorder recorder;
+  InlineExecutor executor;
+  Slam slam(SlamConfig{}, recorder, executor);
+  for (const InformedScan& scan : oppositeDrive().scans) slam.insert(scan);
+  slam.finish();
+  const Trajectory a = fullRun().trajectory(), b = trajectoryOf(slam.session()->graph());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i].T_world_base.translation, b[i].T_world_base.translation) << "scan " << i;
@@ -90,8 +113,9 @@ TEST(Slam, EveryScanHasItsPlaceAndEveryMapItsSearch) {
     EXPECT_GT(update.detail_submap.size(), update.submap->points.size());
   }
   EXPECT_EQ(scans, oppositeDrive().scans.size());
-  EXPECT_EQ(local_maps, recorder.searches.size());
-  EXPECT_EQ(fullRun().backEnd().trajectory().size(), scans);
+  EXPECT_EQ(local_maps, static_cast<std::size_t>(std::count_if(
+                            recorder.searches.begin(), recorder.searches.end(), isByAppearance)));
+  EXPECT_EQ(fullRun().trajectory().size(), scans);
 }
 
 TEST(Slam, CorrectionsAreNumberedAndConsistent) {
@@ -108,11 +132,11 @@ TEST(Slam, WithoutAppearanceLoopsAreClosedWithinTheReachOfTheOdometry) {
   SlamConfig config;
   config.loops.recognition.min_inliers = 500;
   config.retroactive.odometry_reach = 0.0;
-  EXPECT_TRUE(SlamRun(config).backEnd().graph().loops().empty());
+  EXPECT_TRUE(SlamRun(config).graph().loops().empty());
   config.retroactive.odometry_reach = 1000.0;
   const SlamRun run(config);
-  ASSERT_FALSE(run.backEnd().graph().loops().empty());
-  for (const LoopEdge& edge : run.backEnd().graph().loops())
+  ASSERT_FALSE(run.graph().loops().empty());
+  for (const LoopEdge& edge : run.graph().loops())
     EXPECT_EQ(edge.loop.origin, LoopOrigin::retroactive);
 }
 
@@ -121,7 +145,7 @@ TEST(Slam, WithoutLoopsTheMapIsThatOfTheOdometry) {
   config.loops.enabled = false;
   const SlamRun run(config);
   EXPECT_TRUE(run.recorder.corrections.empty());
-  const Trajectory trajectory = run.backEnd().trajectory();
+  const Trajectory trajectory = run.trajectory();
   for (std::size_t i = 0; i < trajectory.size(); ++i)
     ASSERT_EQ(trajectory[i].T_world_base.translation,
               oppositeDrive().scans[i].scan->T_odom_base.translation);

@@ -31,13 +31,14 @@ inline RegistrationProblem withAllCandidates(const RegistrationProblem& problem,
   return all;
 }
 
-/// Registers scans, and for those from `first` on, compares the objective's samples from gathered
+/// For scans from `first` on, compares the objective's samples from gathered
 /// candidates with those from a search of the whole surroundings in the map, bit for bit.
 class BruteForceComparison {
  public:
   explicit BruteForceComparison(std::uint32_t first) : first_(first) {}
 
-  void operator()(const RegisteredScan& scan, const LocalVoxelMap& map) {
+  /// With the map that the scan was registered to, before it enters it.
+  void compare(const RegisteredScan& scan, const LocalVoxelMap& map) {
     if (scan.id.value < first_) return;
     const RegistrationProblem fast =
         gatherProblem(scan.source_base, map, scan.T_odom_base,
@@ -51,6 +52,14 @@ class BruteForceComparison {
         ASSERT_EQ(a[m], b[m]) << "scan " << scan.id.value << ", sample " << m;
     }
     ++compared_;
+  }
+
+  /// Registers a scan and compares on the way.
+  void registerScan(Odometry& odometry, const Scan& scan) {
+    const OdometryResult result = odometry.align(scan);
+    ASSERT_TRUE(result.scan);
+    compare(*result.scan, odometry.map());
+    odometry.commit();
   }
 
   int compared() const { return compared_; }

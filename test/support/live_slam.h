@@ -13,7 +13,7 @@
 #include <atomic>
 #include <vector>
 
-#include "revisit_slam/ros/node/session_messages.h"
+#include "revisit_slam/ros/node/stage_topics.h"
 #include "support/odometry_listener.h"
 
 namespace revisit_slam {
@@ -101,9 +101,9 @@ class LiveSlam {
   const OdometryListener& listener() const { return listener_; }
   ros::NodeHandle& node() { return node_; }
 
-  std::vector<boost::shared_ptr<const SessionMaps>> maps;
-  std::vector<boost::shared_ptr<const SessionLoops>> loops;
-  std::vector<boost::shared_ptr<const SessionCorrection>> corrections;
+  std::vector<boost::shared_ptr<const MapUpdate>> maps;
+  std::vector<boost::shared_ptr<const LoopClosures>> loops;
+  std::vector<boost::shared_ptr<const MapCorrection>> corrections;
 
  private:
   template <typename T>

@@ -32,22 +32,15 @@ inline InformedDrive simulateInformedDrive(const std::string& route_name, double
   const Route route = makeRoute(route_config);
   const World world = makeWorld({}, route);
   const ScanSimulator simulator(world, route, makeSensor(sensor, columns), {});
-  const InformationEstimator estimator(config.information);
-  Odometry odometry(config.odometry, [&](RegisteredScan& scan, const LocalVoxelMap& map) {
-    scan.problem = estimator.gather(scan.source_base, map, scan.T_odom_base,
-                                    Registration::maxCorrespondenceDistance(scan.sigma));
-  });
+  OdometryStage odometry(config);
   InformationStage information(config.information);
   InformedDrive drive;
   simulateDrive(simulator, route, scanCount(route), 2, [&](int, const SimulatedScan& simulated) {
-    OdometryResult result = odometry.registerScan(simulated.scan);
-    drive.truth.push_back(route.poseAt(result.scan->stamp));
-    InformedScan informed =
-        information.inform(std::make_shared<const RegisteredScan>(std::move(*result.scan)));
-    auto light = std::make_shared<RegisteredScan>(*informed.scan);
-    light->problem = {};
-    informed.scan = std::move(light);
-    drive.scans.push_back(std::move(informed));
+    ScanReading reading;
+    reading.scan = simulated.scan;
+    const OdometryStage::Result result = odometry.process(std::move(reading));
+    drive.truth.push_back(route.poseAt(result.output.scan->stamp));
+    drive.scans.push_back(information.inform(result.output));
   });
   return drive;
 }

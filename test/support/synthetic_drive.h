@@ -10,11 +10,10 @@
 
 namespace revisit_slam {
 
-inline OdometryConfig roomConfig(int threads = 2) {
+inline OdometryConfig roomConfig() {
   OdometryConfig config;
   config.max_range = 60.0;
   config.map.voxel_size = 0.5;
-  config.threads = threads;
   return config;
 }
 

@@ -9,7 +9,7 @@
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
 #include "revisit_slam/geometry/voxel.h"
-#include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/icp/local_voxel_map_config.h"
 #include "revisit_slam/icp/surroundings.h"
 
 namespace revisit_slam {

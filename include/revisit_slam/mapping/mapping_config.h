@@ -28,6 +28,7 @@ struct MappingConfig {
   double submap_voxel_size = 0.5;
   double local_map_voxel_size = 0.5;
   double detail_voxel_size = 0.25;
+  int max_waiting = 300;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -39,6 +40,9 @@ struct MappingConfig {
       "nu_loc, edge of a voxel");
     v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
       "files have one point for each voxel of this edge");
+    v("max_waiting", max_waiting, Range{1, 100000}, "scans",
+      "scans that may wait live to be mapped; the points of further ones are left out of the maps, and "
+      "counted. Raise it if there is memory, about 1 MB a scan; lower it if there is not");
   }
 };
 

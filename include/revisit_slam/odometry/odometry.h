@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/task_arena.h>
-
-#include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
-#include "revisit_slam/types/registered_scan.h"
-#include "revisit_slam/util/stage_times.h"
 #include "revisit_slam/geometry/voxel_filter.h"
-#include "revisit_slam/odometry/adaptive_threshold.h"
 #include "revisit_slam/icp/local_voxel_map.h"
+#include "revisit_slam/odometry/adaptive_threshold.h"
+#include "revisit_slam/odometry/motion_predictor.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/preprocessing.h"
 #include "revisit_slam/odometry/registration.h"
+#include "revisit_slam/types/registered_scan.h"
+#include "revisit_slam/util/stage_times.h"
 
 namespace revisit_slam {
 
@@ -34,17 +34,23 @@ struct OdometryResult {
   StageTimes times;
 };
 
-/// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): scan-to-map point-to-point
-/// ICP from a constant-velocity prediction. The odom frame is the base frame of the first scan.
-/// Not thread-safe; its own work runs on `threads` threads, with the same bits for any number.
+/// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): predict -> align -> commit.
+/// The odom frame is the base frame of the first scan. Not thread-safe. Runs in the current TBB arena,
+/// with the same bits for any number of threads.
 class Odometry {
  public:
-  /// Sees each registered scan with the map that it was registered to, before the scan enters it,
-  /// and may add to the scan. Not called for the first scan, which is registered to nothing.
-  using BeforeInsertion = std::function<void(RegisteredScan&, const LocalVoxelMap&)>;
+  explicit Odometry(const OdometryConfig& config);
+  Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor> predictor);
 
-  explicit Odometry(const OdometryConfig& config, BeforeInsertion before_insertion = {});
+  /// Registers a scan to the map, from the predicted motion. The map stays as it is until commit(), so
+  /// that the registration can be looked at beside it; the second scan alone corrects what the first has
+  /// left there, as only then is known how that one was moved.
+  OdometryResult align(const Scan& scan);
 
+  /// Takes the scan that was aligned into the map and its motion into the prediction. There must be one.
+  void commit();
+
+  /// Both.
   OdometryResult registerScan(const Scan& scan);
 
   const LocalVoxelMap& map() const { return map_; }
@@ -53,28 +59,32 @@ class Odometry {
   void reconfigure(const OdometryConfig& config);
 
  private:
-  OdometryResult registerInArena(const Scan& scan);
+  /// A scan that is aligned, and not yet in the map.
+  struct Aligned {
+    Stamp stamp;
+    Pose T_odom_base;
+    Pose deviation;  ///< T_predicted_base
+    bool is_after_gap;
+  };
+
   void downsample(RegisteredScan& registered);
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
   void deskewAgain(RegisteredScan& registered);
-  double secondsSincePrevious(Stamp stamp) const;
-  void updateMotion(const Pose& T_odom_base, double seconds);
 
   OdometryConfig config_;
-  BeforeInsertion before_insertion_;
-  tbb::task_arena arena_;
+  std::unique_ptr<MotionPredictor> predictor_;
   LocalVoxelMap map_;
   Registration registration_;
   AdaptiveThreshold threshold_;
   VoxelFilter voxel_filter_;
   std::vector<float> lags_, map_lags_, source_lags_;  // of the points of the scan
-  Points map_points_base_;                            // kept for its memory
+  Points map_points_base_;                            // of the scan, as they enter the map
 
   std::uint32_t scans_ = 0;
   std::optional<Scan> first_scan_;  // until the second is registered
   Stamp previous_stamp_;
   Pose T_odom_previous_;
-  ConstantMotion motion_;
+  std::optional<Aligned> aligned_;
 };
 
 }  // namespace revisit_slam

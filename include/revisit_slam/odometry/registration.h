@@ -4,32 +4,13 @@
 #include <vector>
 
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/registration_result.h"
 #include "revisit_slam/types/scan.h"
 #include "revisit_slam/types/se3.h"
 #include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
 namespace revisit_slam {
-
-enum class RegistrationOutcome {
-  converged,
-  max_iterations,             ///< the pose is the last iterate
-  too_few_correspondences,    ///< the pose is the initial one
-  map_empty,                  ///< the first scan: the pose is the initial one
-};
-
-const char* toString(RegistrationOutcome outcome);
-
-struct RegistrationResult {
-  Pose T_odom_base;
-  /// What the motion since the previous scan, by which the points were deskewed, is held to have
-  /// missed, [m; rad]; zero without lags. See `straighten`.
-  Tangent bend = Tangent::Zero();
-  RegistrationOutcome outcome = RegistrationOutcome::map_empty;
-  int iterations = 0;
-  std::size_t correspondences = 0;
-  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
-};
 
 /// The neighbour found for a point, and where the point was then: while the point has moved less than
 /// its neighbour's rivals are farther, the neighbour is still the nearest.

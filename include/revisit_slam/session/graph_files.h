@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "revisit_slam/io/trajectory.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
 
 namespace revisit_slam {
+
+/// One pose for each scan, those after the last optimisation carried along.
+Trajectory trajectoryOf(const SlamGraph& graph);
 
 /// pose_graph.g2o: all scans and the constraints that are active; rotation and translation in g2o's
 /// order and scale. @throws std::runtime_error naming the file.

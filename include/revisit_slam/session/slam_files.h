@@ -7,8 +7,8 @@
 #include "revisit_slam/evaluation/map_consistency.h"
 #include "revisit_slam/session/submap_files.h"
 #include "revisit_slam/occupancy/occupancy_map.h"
-#include "revisit_slam/slam/back_end.h"
-#include "revisit_slam/slam/map_builder.h"
+#include "revisit_slam/pose_graph/slam_graph.h"
+#include "revisit_slam/mapping/map_builder.h"
 
 namespace revisit_slam {
 
@@ -26,14 +26,14 @@ class SlamFiles {
   /// trajectory.tum, trajectory_kitti.txt, pose_graph.g2o, loop_closures.csv and
   /// submaps/submaps.csv, each whole or not at all: all that the graph says, quickly.
   /// @throws std::runtime_error naming the file.
-  void writeGraphFiles(const BackEnd& back_end) const;
+  void writeGraphFiles(const SlamGraph& graph) const;
 
   /// The same and map.pcd, and of the occupancy map.bt, map.pgm and map.yaml.
-  void write(const BackEnd& back_end);
+  void write(const SlamGraph& graph);
 
   /// How well the map agrees with itself where the drive came back (paper Sec. IV-C), with the
   /// revisits of the corrected trajectory itself and submaps as what is compared.
-  MapConsistency consistency(const BackEnd& back_end) const;
+  MapConsistency consistency(const SlamGraph& graph) const;
 
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
   const std::vector<SubmapPtr>& submaps() const { return submaps_.submaps(); }
@@ -41,7 +41,7 @@ class SlamFiles {
   Points detail(SubmapId id) const { return submaps_.read(id.value); }
 
  private:
-  std::vector<Pose> placesOfSubmaps(const BackEnd& back_end) const;
+  std::vector<Pose> placesOfSubmaps(const SlamGraph& graph) const;
   void writeOccupancy(const std::vector<Pose>& T_map_submap);
 
   std::string folder_;

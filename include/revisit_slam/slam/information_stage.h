@@ -3,31 +3,40 @@
 
 #include <tbb/task_arena.h>
 
-#include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/information/motion_covariance.h"
+#include "revisit_slam/slam/odometry_stage.h"
+#include "revisit_slam/types/informed_scan.h"
 
 namespace revisit_slam {
 
-/// Gives each registered scan the information of its edge. Keeps the last estimate for scans that
-/// there is no time to estimate.
+/// Gives each registered scan the information of its edge, and the covariances of its motion and pose.
+/// No scan is left out: with too many waiting the information of the scan before is repeated. The first
+/// scan of a session begins anew.
 class InformationStage {
  public:
   explicit InformationStage(const InformationConfig& config);
 
-  InformedScan inform(std::shared_ptr<const RegisteredScan> scan);
-
-  /// Without estimating: repeats the information of the scan before.
-  InformedScan repeat(std::shared_ptr<const RegisteredScan> scan);
+  /// `waiting`: scans that wait behind this one.
+  InformedScan inform(const OdometryOutput& odometry, std::size_t waiting = 0);
 
   void reconfigure(const InformationConfig& config);
 
  private:
+  void startSession();
+  void estimate(const RegistrationProblem& problem, InformedScan& informed);
+  void growCovariance(InformedScan& informed);
+
+  InformationConfig config_;
   InformationEstimator estimator_;
   tbb::task_arena arena_{1};  // the work of a scan is smaller than handing it to others
-  MotionCovariance covariance_;
+
+  // Of the session.
+  MotionCovariance motion_covariance_;
+  PoseCovariance pose_covariance_;
   InformationEstimate last_estimate_;
+  Pose T_odom_previous_;
 };
 
 }  // namespace revisit_slam

@@ -1,59 +1,51 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/task_arena.h>
-
-#include <exception>
-#include <memory>
-#include <variant>
-
-#include "revisit_slam/util/work_queue.h"
 #include "revisit_slam/slam/back_end.h"
-#include "revisit_slam/slam/map_builder.h"
+#include "revisit_slam/slam/executor.h"
+#include "revisit_slam/slam/information_stage.h"
+#include "revisit_slam/slam/map_manager.h"
+#include "revisit_slam/slam/odometry_stage.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/slam_observer.h"
 
 namespace revisit_slam {
 
-/// Maps, loops and graph behind the odometry, wired together without ROS: maps grow in the thread
-/// that inserts scans, loops and optimisation run in one background thread. The same scans give the
-/// same results, to the last bit, however the threads take turns.
+/// The four stages of a drive, connected: odometry -> information -> maps and loops <-> graph. The one place
+/// that orders them. The same scans give the same results, to the last bit, with any executor and however its
+/// threads take turns.
 class Slam {
  public:
-  /// The observer must outlive this.
-  Slam(const SlamConfig& config, SlamObserver& observer);
+  /// Observer and executor must outlive this.
+  Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor);
   ~Slam();
 
-  /// Waits while the background is more than a few local maps behind.
-  void insert(const InformedScan& scan);
+  /// `times`: what the reading took, for the observer.
+  void insert(ScanReading reading, const StageTimes& times = {});
+  /// A scan that has its information already.
+  void insert(const InformedScan& informed);
+  /// Counts a message that never became a reading.
+  void countDropped(const std::string& reason) { odometry_.countDropped(reason); }
 
   /// Closes the open maps, searches and optimises a last time, and waits for the end of it.
-  /// @throws what the background thread has thrown.
+  /// @throws what the background has thrown.
   void finish();
 
-  /// After finish().
-  const BackEnd& backEnd() const { return back_end_; }
+  const ScanAccount& account() const { return odometry_.account(); }
+  /// After finish(); null without scans.
+  const GraphSession* session() const { return back_end_.session(); }
 
  private:
-  struct Finish {};
-  using Work = std::variant<GraphNode, LocalMapPtr, Finish>;
-
-  void hand(const MapUpdate& update);
-  void work(const Work& work);
-  void handle(const GraphNode& node) { back_end_.add(node); }
-  void handle(const LocalMapPtr& map);
-  void handle(Finish) { back_end_.finish(); }
+  MapManager::Outputs outputsOfMaps();
 
   SlamObserver& observer_;
-  BackgroundConfig background_;
-  MapBuilder builder_;
-  LoopSearch loops_;
+  Executor& executor_;
+  const bool with_maps_;
+  OdometryStage odometry_;
+  InformationStage information_;
   BackEnd back_end_;
-  tbb::task_arena arena_;
-  bool nice_ = false;
-  std::exception_ptr error_;
-
-  WorkQueue<Work> queue_;  // last: its thread uses all of the above
+  InlineLane foreground_;
+  MapManager maps_;
 };
 
 }  // namespace revisit_slam

@@ -35,6 +35,7 @@ struct LiveConfig {
   bool broadcast_map = true;
   double transform_rate = 20.0;
   double transform_tolerance = 0.1;
+  double transform_patience = 10.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -47,6 +48,10 @@ struct LiveConfig {
     v("transform_rate", transform_rate, Range{0.1, 1000.0}, "Hz", "of that transform");
     v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
       "it is dated so far ahead of the newest scan");
+    v("transform_patience", transform_patience, Range{0.0, 3600.0}, "s",
+      "longest wait for the transform of a sensor's frame when its first scan has come; then its scans "
+      "are dropped and counted until there is one. Raise it if transforms come late at start; lower it "
+      "if scans of another sensor must not wait");
   }
 };
 

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
+#include "revisit_slam/loops/search/loop_search_result.h"
+#include "revisit_slam/mapping/map_builder.h"
+#include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/map_correction.h"
-#include "revisit_slam/loops/search/loop_search.h"
-#include "revisit_slam/slam/map_builder.h"
+#include "revisit_slam/util/stage_times.h"
 
 namespace revisit_slam {
 
-/// Hears of what the stages behind the odometry come up with, in the thread where it comes up.
+/// Receives what the stages come up with, in the thread where it comes up.
 class SlamObserver {
  public:
   virtual ~SlamObserver() = default;
 
-  /// In the thread that inserts scans.
+  // In the thread that inserts scans.
+  virtual void onScan(const InformedScan&, const StageTimes&) {}
+  virtual void onRejection(const std::string& /*reason*/) {}
   virtual void onMaps(const MapUpdate&) {}
-  /// The next two in the background thread.
+  // In the background.
   virtual void onLoopSearch(const LoopSearchResult&) {}
   virtual void onCorrection(const MapCorrectionPtr&) {}
 };

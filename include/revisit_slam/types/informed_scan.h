@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "revisit_slam/types/information_estimate.h"
 #include "revisit_slam/types/registered_scan.h"
-#include "revisit_slam/information/information_estimator.h"
 
 namespace revisit_slam {
 
@@ -19,11 +19,13 @@ const char* toString(InformationSource source);
 
 /// A registered scan with the information of the odometry edge that leads to it.
 struct InformedScan {
-  std::shared_ptr<const RegisteredScan> scan;
+  RegisteredScanPtr scan;
   InformationEstimate estimate;
   InformationSource source = InformationSource::identity;
   /// Of the motion since the scan before, for right perturbations: [m; rad] in the base frame.
   Matrix6 covariance_motion = Matrix6::Identity();
+  /// Of T_odom_base, likewise, as it has grown since the session's first scan.
+  Matrix6 covariance_pose = Matrix6::Zero();
 };
 
 }  // namespace revisit_slam

@@ -12,7 +12,10 @@ namespace revisit_slam {
 
 /// What an optimisation made of the map: one numbered, immutable snapshot (paper Sec. III-D).
 struct MapCorrection {
+  SessionId session;
   std::uint32_t version = 0;  ///< counts from 1
+  /// The loop closures that it answers (LoopClosures::request); 0: it was asked for otherwise.
+  std::uint32_t request = 0;
   /// Poses by ScanId, as far as the optimised graph went.
   std::vector<Pose> T_map_scan;
   /// Places every scan after those: T_map_scan = T_map_odom * T_odom_scan.

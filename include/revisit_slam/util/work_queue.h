@@ -50,10 +50,12 @@ class WorkQueue {
     if (dropped) on_drop_();
   }
 
-  /// Waits for room instead; returns without pushing when the queue is stopped.
+  /// Waits for room instead, unless the work itself pushes; returns without pushing when the queue is
+  /// stopped.
   void pushWaiting(Item item) {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return stopping_ || items_.size() < capacity_; });
+    if (std::this_thread::get_id() != thread_.get_id())
+      changed_.wait(lock, [this] { return stopping_ || items_.size() < capacity_; });
     if (stopping_) return;
     items_.push_back(std::move(item));
     lock.unlock();

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "closed_drive.h"
 
-#include <tbb/task_arena.h>
+#include <sensor_msgs/PointCloud2.h>
 
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/slam/slam.h"
 #include "revisit_slam/util/process_usage.h"
-#include "revisit_slam/slam/back_end.h"
+#include "revisit_slam/util/progress.h"
 
 namespace revisit_slam {
 namespace {
+
+Pose extrinsics(BagScans& bag, const std::string& base_frame) {
+  for (const rosbag::MessageInstance& instance : bag.messages())
+    if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
+      if (const auto T_base_sensor = bag.findExtrinsics(base_frame, cloud->header.frame_id))
+        return *T_base_sensor;
+  throw BagError("the bag does not say where the sensor is on '" + base_frame + "'");
+}
 
 double timeOf(const StageTimes& times, const std::string& stage) {
   for (const auto& [name, ms] : times)
@@ -15,43 +29,103 @@ double timeOf(const StageTimes& times, const std::string& stage) {
   return 0.0;
 }
 
+/// Keeps what each local map's closure came up with.
+class ClosureRecorder : public SlamObserver {
+ public:
+  void onMaps(const MapUpdate& update) override {
+    if (update.local_map) cpu_before_ = processCpuSeconds();
+  }
+
+  /// Each map is searched by appearance and then retroactively; what follows after the last map is the
+  /// search at the end.
+  void onLoopSearch(const LoopSearchResult& search) override {
+    if (search.origin == LoopOrigin::appearance) {
+      MapClosure& closure = maps_.emplace_back();
+      closure.search = search;
+      closure.recognition_ms = timeOf(search.times, "recognition");
+      closure.registration_ms = timeOf(search.times, "registration");
+      is_open_ = true;
+    } else if (is_open_) {
+      maps_.back().retroactive = search.proposals;
+      maps_.back().retroactive_ms = timeOf(search.times, "retroactive");
+    } else {
+      at_the_end_.insert(at_the_end_.end(), search.proposals.begin(), search.proposals.end());
+      return;
+    }
+    noteCpu();
+    if (search.origin == LoopOrigin::retroactive) is_open_ = false;
+  }
+
+  void onCorrection(const MapCorrectionPtr& correction) override {
+    if (is_open_) maps_.back().optimisation_ms += 1e3 * correction->seconds;
+  }
+
+  ClosedDrive take(const GraphSession& session) {
+    return {std::move(maps_), std::move(at_the_end_), session.graph().loops(),
+            trajectoryOf(session.graph())};
+  }
+
+ private:
+  void noteCpu() {
+    MapClosure& closure = maps_.back();
+    closure.cpu_ms = 1e3 * (processCpuSeconds() - cpu_before_) - closure.optimisation_ms;
+  }
+
+  std::vector<MapClosure> maps_;
+  std::vector<LoopProposal> at_the_end_;
+  double cpu_before_ = 0.0;
+  bool is_open_ = false;  // the newest map has not been searched retroactively
+};
+
+Pose poseAt(const PoseInterpolator& truth, Stamp stamp) {
+  const PoseAnswer answer = truth.at(stamp);
+  if (!answer)
+    throw std::runtime_error("the truth does not cover the scan at " + stampText(stamp));
+  return answer.T_world_base;
+}
+
+void append(Stretch& stretch, const Submap& submap, const Pose& T_map_submap,
+            const PoseInterpolator& truth) {
+  for (std::size_t i = 0; i < submap.stamps.size(); ++i) {
+    stretch.T_map_scan.push_back(T_map_submap * submap.T_submap_scan[i]);
+    stretch.T_world_scan.push_back(poseAt(truth, submap.stamps[i]));
+  }
+}
+
 }  // namespace
 
-ClosedDrive closeLoops(const MappedDrive& drive, const SlamConfig& config) {
-  ClosedDrive closed;
-  std::vector<LoopProposal> retroactive;
-  const auto keep = [&](const std::vector<LoopProposal>& proposals) {
-    retroactive.insert(retroactive.end(), proposals.begin(), proposals.end());
-  };
-  LoopSearch search(config.loops, config.information);
-  BackEnd back_end(
-      config, [](const MapCorrectionPtr&) {}, keep);
-  tbb::task_arena arena(config.background.threads);
-  auto node = drive.nodes.begin();
-  for (const LocalMapPtr& map : drive.maps) {
-    while (node != drive.nodes.end() && !(map->submaps.back()->lastScan() < node->id))
-      back_end.add(*node++);
-    MapClosure closure;
-    const BackEndCount before = back_end.count();
-    const double cpu_before = processCpuSeconds();
-    arena.execute([&] {
-      closure.search = search.search(map);
-      back_end.add(map, closure.search.accepted());
-    });
-    const BackEndCount& after = back_end.count();
-    closure.recognition_ms = timeOf(closure.search.times, "recognition");
-    closure.registration_ms = timeOf(closure.search.times, "registration");
-    closure.retroactive_ms = 1e3 * (after.retroactive_seconds - before.retroactive_seconds);
-    closure.optimisation_ms = 1e3 * (after.optimisation_seconds - before.optimisation_seconds);
-    closure.cpu_ms = 1e3 * (processCpuSeconds() - cpu_before) - closure.optimisation_ms;
-    closure.retroactive = std::exchange(retroactive, {});
-    closed.maps.push_back(std::move(closure));
+ClosedDrive closeLoops(const std::string& path, const std::string& topic, const SlamConfig& config,
+                       bool quiet) {
+  BagScans bag({path}, topic);
+  ScanReader reader(config.input, extrinsics(bag, config.frames.base));
+  ClosureRecorder recorder;
+  InlineExecutor executor;
+  Slam slam(config, recorder, executor);
+  Progress progress("mapping", "scans", bag.size(), quiet);
+  std::size_t done = 0;
+  for (const rosbag::MessageInstance& instance : bag.messages()) {
+    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud) continue;
+    slam.insert(reader.read(*cloud));
+    progress.update(++done);
   }
-  arena.execute([&] { back_end.finish(); });
-  closed.at_the_end = retroactive;
-  closed.edges = back_end.graph().loops();
-  closed.trajectory = back_end.trajectory();
-  return closed;
+  slam.finish();
+  progress.finish();
+  if (slam.session() == nullptr) throw BagError("no scan of the bag could be processed");
+  return recorder.take(*slam.session());
+}
+
+Stretch stretchOf(const Submap& submap, const PoseInterpolator& truth) {
+  Stretch stretch;
+  append(stretch, submap, Pose::identity(), truth);
+  return stretch;
+}
+
+Stretch stretchOf(const LocalMap& map, const PoseInterpolator& truth) {
+  Stretch stretch;
+  for (const SubmapPtr& submap : map.submaps)
+    append(stretch, *submap, map.T_odom_local().inverse() * submap->T_odom_submap, truth);
+  return stretch;
 }
 
 }  // namespace revisit_slam

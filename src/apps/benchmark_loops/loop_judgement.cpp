@@ -59,11 +59,11 @@ JudgedMap judgeMap(const MapClosure& closure, const std::vector<Stretch>& stretc
 /// Judges proposals, with the submaps of the drive by SubmapId.
 class ConstraintJudge {
  public:
-  ConstraintJudge(const MappedDrive& drive, const ClosedDrive& closed, const PoseInterpolator& truth,
-                  const LoopLimits& limits)
+  ConstraintJudge(const ClosedDrive& closed, const PoseInterpolator& truth, const LoopLimits& limits)
       : limits_(limits) {
-    for (const LocalMapPtr& map : drive.maps)
-      for (const SubmapPtr& submap : map->submaps) stretches_.push_back(stretchOf(*submap, truth));
+    for (const MapClosure& closure : closed.maps)
+      for (const SubmapPtr& submap : closure.search.map->submaps)
+        stretches_.push_back(stretchOf(*submap, truth));
     for (const LoopEdge& edge : closed.edges)
       states_[{edge.loop.source, edge.loop.target}] = toString(edge.state);
   }
@@ -93,11 +93,11 @@ class ConstraintJudge {
 
 }  // namespace
 
-Judgement judge(const MappedDrive& drive, const ClosedDrive& closed, const PoseInterpolator& truth,
+Judgement judge(const ClosedDrive& closed, const PoseInterpolator& truth,
                 std::size_t newest_excluded, const LoopLimits& limits) {
   Judgement judgement;
   std::vector<Stretch> stretches;
-  const ConstraintJudge judge_constraint(drive, closed, truth, limits);
+  const ConstraintJudge judge_constraint(closed, truth, limits);
   const auto add = [&](const std::vector<LoopProposal>& proposals) {
     for (const LoopProposal& proposal : proposals)
       judgement.constraints.push_back(judge_constraint(proposal));

@@ -56,7 +56,7 @@ struct Judgement {
   std::vector<JudgedConstraint> constraints;
 };
 
-Judgement judge(const MappedDrive& drive, const ClosedDrive& closed, const PoseInterpolator& truth,
+Judgement judge(const ClosedDrive& closed, const PoseInterpolator& truth,
                 std::size_t newest_excluded, const LoopLimits& limits);
 
 }  // namespace revisit_slam

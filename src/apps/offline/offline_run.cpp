@@ -15,12 +15,12 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
     : config_(config),
       source_(std::move(source)),
       folder_(folder),
-      front_end_(config),
-      information_(config.information),
+      reader_(config.input),
       files_(folder, config.mapping, config.occupancy),
       total_(max_scans > 0 ? std::min(max_scans, source_->size()) : source_->size()),
       progress_("mapping", "scans", total_, quiet),
-      slam_(config, *this) {}
+      executor_(config.background),
+      slam_(config, *this, executor_) {}
 
 bool OfflineRun::run() {
   progress_.say(source_->description() + ", " + std::to_string(total_) + " scans");
@@ -45,7 +45,7 @@ void OfflineRun::placeSensor() {
   if (!T_base_sensor)
     throw BagError("the bag has no transform from '" + sensor_frame + "' to '" + base_frame +
                    "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
-  front_end_.setExtrinsics(*T_base_sensor);
+  reader_.setExtrinsics(*T_base_sensor);
 }
 
 bool OfflineRun::processAll() {
@@ -64,49 +64,40 @@ bool OfflineRun::processAll() {
 }
 
 void OfflineRun::process(const ScanMessage& message) {
-  FrontEnd::Result result = registerMessage(message);
-  sayTimeSource();
-  if (result.scan) {
-    finishScan(std::move(*result.scan), std::move(result.times));
-  } else {
-    progress_.say("scan " + std::to_string(front_end_.account().received) +
-                  " dropped: " + result.rejection);
-  }
-}
-
-FrontEnd::Result OfflineRun::registerMessage(const ScanMessage& message) {
-  if (const auto* unreadable = std::get_if<UnreadableScan>(&message)) {
-    front_end_.countDropped("unreadable");
-    FrontEnd::Result result;
-    result.rejection = unreadable->reason;
-    return result;
-  }
-  if (const auto* cloud = std::get_if<sensor_msgs::PointCloud2::ConstPtr>(&message))
-    return front_end_.process(**cloud);
-  return front_end_.process(*std::get<topic_tools::ShapeShifter::ConstPtr>(message));
-}
-
-void OfflineRun::finishScan(RegisteredScan&& scan, StageTimes times) {
   StageClock clock;
-  const InformedScan informed =
-      information_.inform(std::make_shared<const RegisteredScan>(std::move(scan)));
-  clock.stage("information");
-  if (config_.mapping.enabled) slam_.insert(informed);
-  clock.stage("maps");
-  for (const auto& time : clock.times()) times.push_back(time);
+  if (const auto* unreadable = std::get_if<UnreadableScan>(&message)) {
+    slam_.countDropped("unreadable");
+    onRejection(unreadable->reason);
+  } else if (const auto* cloud = std::get_if<sensor_msgs::PointCloud2::ConstPtr>(&message)) {
+    insert(reader_.read(**cloud), clock);
+  } else {
+    insert(reader_.read(*std::get<topic_tools::ShapeShifter::ConstPtr>(message)), clock);
+  }
+}
+
+void OfflineRun::insert(ScanReading reading, StageClock clock) {
+  clock.stage("read");
+  sayTimeSource();
+  slam_.insert(std::move(reading), clock.times());
+}
+
+void OfflineRun::onScan(const InformedScan& informed, const StageTimes& times) {
   folder_.add(informed, times);
 }
 
+void OfflineRun::onRejection(const std::string& reason) {
+  progress_.say("scan " + std::to_string(slam_.account().received) + " dropped: " + reason);
+}
+
 void OfflineRun::finishMaps() {
-  if (!config_.mapping.enabled) return;
   const Clock::time_point last_scan = Clock::now();
   slam_.finish();
   finish_seconds_ = std::chrono::duration<double>(Clock::now() - last_scan).count();
 }
 
 void OfflineRun::sayTimeSource() {
-  if (front_end_.timeSource() == said_time_source_) return;
-  said_time_source_ = front_end_.timeSource();
+  if (reader_.description() == said_time_source_) return;
+  said_time_source_ = reader_.description();
   progress_.say(said_time_source_);
 }
 
@@ -118,6 +109,10 @@ void OfflineRun::onMaps(const MapUpdate& update) {
 void OfflineRun::onLoopSearch(const LoopSearchResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
   background_times_.push_back(result.times);
+  if (result.origin == LoopOrigin::retroactive) {
+    retroactive_pairs_ += static_cast<int>(result.proposals.size());
+    return;
+  }
   if (const std::size_t accepted = result.accepted().size())
     progress_.say("local map " + std::to_string(result.map->id.value) + " shows the place of " +
                   std::to_string(result.match->target.value) + ": " + std::to_string(accepted) +
@@ -130,14 +125,14 @@ void OfflineRun::onCorrection(const MapCorrectionPtr& correction) {
 }
 
 void OfflineRun::writeResults() {
-  const ScanAccount& account = front_end_.account();
+  const ScanAccount& account = slam_.account();
   for (const StageTimes& times : background_times_) folder_.addTimes(times);
   RunSummary summary;
   summary.parameters = parametersOf(config_);
   summary.account = account;
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
-  summary.time_source = front_end_.timeSource();
+  summary.time_source = reader_.description();
   summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   summary.reading_cpu_seconds = reading_cpu_seconds_;
   summary.finish_seconds = finish_seconds_;
@@ -145,7 +140,7 @@ void OfflineRun::writeResults() {
   summary.threads = config_.odometry.threads;
   countLoops(summary);
   if (config_.mapping.enabled && account.processed > 0) {
-    files_.write(slam_.backEnd());
+    files_.write(slam_.session()->graph());
     judgeConsistency(summary);
   }
   folder_.finish(summary);
@@ -155,7 +150,7 @@ void OfflineRun::writeResults() {
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {
-  const MapConsistency consistency = files_.consistency(slam_.backEnd());
+  const MapConsistency consistency = files_.consistency(slam_.session()->graph());
   summary.revisited_cells = consistency.cells.size();
   if (consistency.cells.empty()) return;
   summary.consistency_mean = consistency.mean;
@@ -165,12 +160,13 @@ void OfflineRun::judgeConsistency(RunSummary& summary) {
 }
 
 void OfflineRun::countLoops(RunSummary& summary) const {
-  const BackEnd& back_end = slam_.backEnd();
-  for (const LoopEdge& edge : back_end.graph().loops())
+  summary.retroactive_pairs = retroactive_pairs_;
+  const GraphSession* session = slam_.session();
+  if (session == nullptr) return;
+  for (const LoopEdge& edge : session->graph().loops())
     ++summary.loops[std::string(toString(edge.loop.origin)) + " " + toString(edge.state)];
-  summary.optimisations = back_end.count().optimisations;
-  summary.rejected_optimisations = back_end.count().rejected_optimisations;
-  summary.retroactive_pairs = back_end.count().retroactive_pairs;
+  summary.optimisations = session->count().optimisations;
+  summary.rejected_optimisations = session->count().rejected;
 }
 
 /// Growth between the first and the last local map, where these are far enough from each other.

@@ -9,10 +9,9 @@
 
 #include "revisit_slam/util/progress.h"
 #include "revisit_slam/session/run_folder.h"
-#include "revisit_slam/slam/information_stage.h"
 #include "revisit_slam/slam/slam.h"
 #include "revisit_slam/session/slam_files.h"
-#include "revisit_slam/ros/node/front_end.h"
+#include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/input/scan_source.h"
 
 namespace revisit_slam {
@@ -31,8 +30,7 @@ class OfflineRun : private SlamObserver {
   void placeSensor();
   bool processAll();
   void process(const ScanMessage& message);
-  FrontEnd::Result registerMessage(const ScanMessage& message);
-  void finishScan(RegisteredScan&& scan, StageTimes times);
+  void insert(ScanReading reading, StageClock clock);
   void finishMaps();
   void sayTimeSource();
   void writeResults();
@@ -40,6 +38,8 @@ class OfflineRun : private SlamObserver {
   void countLoops(RunSummary& summary) const;
   double memoryPerKilometre() const;
 
+  void onScan(const InformedScan& informed, const StageTimes& times) override;
+  void onRejection(const std::string& reason) override;
   void onMaps(const MapUpdate& update) override;
   void onLoopSearch(const LoopSearchResult& result) override;
   void onCorrection(const MapCorrectionPtr& correction) override;
@@ -55,8 +55,7 @@ class OfflineRun : private SlamObserver {
   SlamConfig config_;
   std::unique_ptr<ScanSource> source_;
   RunFolder folder_;
-  FrontEnd front_end_;
-  InformationStage information_;
+  ScanReader reader_;
   SlamFiles files_;
   std::size_t total_;
   Progress progress_;
@@ -64,10 +63,12 @@ class OfflineRun : private SlamObserver {
   double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
   std::vector<MemoryMark> memory_;
 
-  std::mutex mutex_;  // guards the next one
+  std::mutex mutex_;  // guards the next two
   std::vector<StageTimes> background_times_;
+  int retroactive_pairs_ = 0;  // likewise
 
-  Slam slam_;  // last: its thread speaks to the observer
+  StagedExecutor executor_;
+  Slam slam_;  // last: its stages speak to the observer
 };
 
 }  // namespace revisit_slam

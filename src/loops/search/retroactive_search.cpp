@@ -59,7 +59,7 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::searchInReach(
     const std::set<LocalMapPair>& closed) const {
   if (n.value == 0 || config_.odometry_reach <= 0.0) return {};
   std::vector<RetroactiveCandidate> candidates =
-      search(maps, T_map_scan, LocalMapId{n.value - 1}, n, closed);
+      search(maps, T_map_scan, LocalMapId{n.value - 1, n.session}, n, closed);
   const auto is_too_far_back = [&](const RetroactiveCandidate& candidate) {
     const LocalMap &later = *maps[candidate.maps.first.value],
                    &earlier = *maps[candidate.maps.second.value];

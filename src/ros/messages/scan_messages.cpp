@@ -2,6 +2,7 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 
 #include <cstring>
+#include <sstream>
 
 #include "revisit_slam/information/motion_covariance.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
@@ -42,6 +43,16 @@ void fillCovariances(const Matrix6& covariance_pose, const Matrix6& covariance_m
   if (seconds > 0.0)
     Eigen::Map<RowMajor6>(odometry.twist.covariance.data()) =
         covariance_motion / (seconds * seconds);
+}
+
+nav_msgs::Odometry toOdometry(const InformedScan& informed, const std::string& odom_frame,
+                              const std::string& base_frame) {
+  const RegisteredScan& scan = *informed.scan;
+  nav_msgs::Odometry message = toOdometry(scan, odom_frame, base_frame);
+  if (scan.id.value > 0)
+    fillCovariances(informed.covariance_pose, informed.covariance_motion,
+                    scan.seconds_since_previous, scan.T_odom_base, message);
+  return message;
 }
 
 visualization_msgs::MarkerArray toMarkers(const std::vector<WeakDirection>& weak_directions,
@@ -104,6 +115,16 @@ void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& s
     addValue("scans dropped, " + reason, std::to_string(count), status);
   for (const auto& [reason, count] : account.points_dropped)
     addValue("points dropped, " + reason, std::to_string(count), status);
+}
+
+void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
+                       diagnostic_msgs::DiagnosticStatus& status) {
+  const Eigen::IOFormat on_one_line(3, Eigen::DontAlignCols, " ", " ");
+  for (const WeakDirection& weak : weak_directions) {
+    std::ostringstream text;
+    text << weak.direction.transpose().format(on_one_line);
+    addValue("weak direction, eigenvalue " + std::to_string(weak.eigenvalue), text.str(), status);
+  }
 }
 
 void addValue(const std::string& key, const std::string& value,

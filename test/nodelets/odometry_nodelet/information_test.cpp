@@ -3,7 +3,7 @@
 #include <map>
 
 #include "in_process_odometry.h"
-#include "revisit_slam/ros/node/in_process_topic.h"
+#include "revisit_slam/ros/node/stage_topics.h"
 
 namespace revisit_slam {
 namespace {
@@ -13,7 +13,7 @@ constexpr std::uint32_t kScans = 40;
 /// Odometry and information in one process, and all that they publish.
 class Information : public InProcessOdometry {
  protected:
-  using RegisteredPtr = boost::shared_ptr<const RegisteredScan>;
+  using RegisteredPtr = boost::shared_ptr<const OdometryOutput>;
   using InformedPtr = boost::shared_ptr<const InformedScan>;
 
   void loadBoth() {
@@ -21,7 +21,7 @@ class Information : public InProcessOdometry {
     ros::param::set(space_ + "information/mapping/enabled", false);  // no maps are waited for
     load();
     ASSERT_TRUE(loader_.load(space_ + "information", "revisit_slam/Information", {}, {}));
-    registered_subscriber_ = node_.subscribe<RegisteredScan>(
+    registered_subscriber_ = node_.subscribe<OdometryOutput>(
         "registered_scan", 0, [this](const RegisteredPtr& scan) { keep(scan, registered_); });
     informed_subscriber_ = node_.subscribe<InformedScan>(
         "informed_scan", 0, [this](const InformedPtr& scan) { keep(scan, informed_); });
@@ -71,10 +71,10 @@ TEST_F(Information, atThreeTimesRealTimeNoScanIsLostAndNoneIsCopied) {
   }
   ASSERT_TRUE(allHere(kScans));
   std::printf("registered scan at %p, within the informed scan at %p\n",
-              static_cast<const void*>(registered_[1].get()),
+              static_cast<const void*>(registered_[1]->scan.get()),
               static_cast<const void*>(informed_[1]->scan.get()));
   for (std::uint32_t i = 0; i < kScans; ++i) {
-    EXPECT_EQ(informed_[i]->scan.get(), registered_[i].get());
+    EXPECT_EQ(informed_[i]->scan.get(), registered_[i]->scan.get());
     EXPECT_EQ(informed_[i]->scan->id.value, i);
     EXPECT_EQ(informed_[i]->source,
               i == 0 ? InformationSource::identity : InformationSource::estimated);
@@ -100,16 +100,17 @@ TEST_F(Information, theOdometryHasACovarianceThatGrows) {
 TEST_F(Information, fallingBehindRepeatsTheLastMatrixAndMarksIt) {
   ros::param::set(space_ + "information/information/max_waiting", 1);
   loadBoth();
-  ros::Publisher burst = node_.advertise<RegisteredScan>("registered_scan", 0);
+  ros::Publisher burst = node_.advertise<OdometryOutput>("registered_scan", 0);
   ASSERT_TRUE(becomesTrue([&] { return burst.getNumSubscribers() > 0; }));
   // Real problems first, so that there is work, then more than can wait.
   for (const auto& cloud : toClouds(driveInRoom(3))) publish(cloud);
   ASSERT_TRUE(allHere(3));
   std::vector<RegisteredPtr> many;
   for (std::uint32_t i = 0; i < 200; ++i) {
-    auto scan = boost::make_shared<RegisteredScan>(*registered_.back());
-    scan->id = {3 + i};
-    many.push_back(scan);
+    auto scan = std::make_shared<RegisteredScan>(*registered_.back()->scan);
+    scan->id.value = 3 + i;
+    many.push_back(boost::make_shared<const OdometryOutput>(
+        OdometryOutput{scan, registered_.back()->problem}));
   }
   for (const RegisteredPtr& scan : many) burst.publish(scan);
   ASSERT_TRUE(allHere(203));

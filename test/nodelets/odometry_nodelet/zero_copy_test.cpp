@@ -2,13 +2,13 @@
 #include <cstdio>
 
 #include "in_process_odometry.h"
-#include "revisit_slam/ros/node/in_process_topic.h"
+#include "revisit_slam/ros/node/stage_topics.h"
 
 namespace revisit_slam {
 namespace {
 
 using ZeroCopy = InProcessOdometry;
-using ScanPtr = boost::shared_ptr<const RegisteredScan>;
+using ScanPtr = boost::shared_ptr<const OdometryOutput>;
 
 TEST_F(ZeroCopy, theOdometryHoldsTheVeryCloudsThatWerePublished) {
   setParameter("frames/base", std::string("never_known"));
@@ -37,8 +37,8 @@ TEST_F(ZeroCopy, allSubscribersGetTheSameRegisteredScan) {
     };
   };
   ros::NodeHandle other_node(space_);
-  const auto a = node_.subscribe<RegisteredScan>("registered_scan", 10, keepIn(first));
-  const auto b = other_node.subscribe<RegisteredScan>("registered_scan", 10, keepIn(second));
+  const auto a = node_.subscribe<OdometryOutput>("registered_scan", 10, keepIn(first));
+  const auto b = other_node.subscribe<OdometryOutput>("registered_scan", 10, keepIn(second));
   load();
   ASSERT_TRUE(becomesTrue([&] { return a.getNumPublishers() > 0 && b.getNumPublishers() > 0; }));
   for (const auto& cloud : toClouds(driveInRoom(3))) publish(cloud);
@@ -51,8 +51,8 @@ TEST_F(ZeroCopy, allSubscribersGetTheSameRegisteredScan) {
     std::printf("registered scan %u at %p and %p\n", i, static_cast<const void*>(first[i].get()),
                 static_cast<const void*>(second[i].get()));
     EXPECT_EQ(first[i].get(), second[i].get());
-    EXPECT_EQ(first[i]->id.value, i);
-    EXPECT_FALSE(first[i]->points_base.empty());
+    EXPECT_EQ(first[i]->scan->id.value, i);
+    EXPECT_FALSE(first[i]->scan->points_base.empty());
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "revisit_slam/ros/node/in_process_topic.h"
+#include "revisit_slam/ros/node/stage_topics.h"
 #include "support/contains.h"
 #include "support/odometry_listener.h"
 #include "support/ros_log.h"
@@ -16,8 +16,8 @@ TEST(RemoteSubscriber, isToldThatRegisteredScansDoNotLeaveTheManagerWhichLivesOn
   const RosLog log;
   ros::NodeHandle node;
   std::atomic<int> scans_got{0};
-  const auto count = [&](const boost::shared_ptr<const RegisteredScan>&) { ++scans_got; };
-  const auto remote = node.subscribe<RegisteredScan>("registered_scan", 10, count);
+  const auto count = [&](const boost::shared_ptr<const OdometryOutput>&) { ++scans_got; };
+  const auto remote = node.subscribe<OdometryOutput>("registered_scan", 10, count);
   const auto points = node.advertise<sensor_msgs::PointCloud2>("points", 100);
   const OdometryListener listener;
   ASSERT_TRUE(becomesTrue([&] { return listener.isConnected() && remote.getNumPublishers() > 0; }));

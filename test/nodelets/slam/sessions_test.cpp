@@ -44,11 +44,11 @@ TEST(Sessions, eachHasAFolderAndNothingOfTheFirstIsLostByAReset) {
       EXPECT_TRUE(std::filesystem::exists(drive + name)) << drive << name;
 
   EXPECT_TRUE(becomesTrue([&] {
-    std::set<std::int64_t> sessions;
-    for (const auto& maps : slam.copyOf(slam.maps)) sessions.insert(maps->session);
+    std::set<SessionId> sessions;
+    for (const auto& maps : slam.copyOf(slam.maps)) sessions.insert(maps->submap->id.session);
     return sessions.size() == 2;
   }));
-  EXPECT_LT(slam.copyOf(slam.maps).back()->maps.submap->first_scan.value, 150u);
+  EXPECT_LT(slam.copyOf(slam.maps).back()->submap->first_scan.value, 150u);
 }
 
 TEST(Sessions, whatWasDrivenIsOnDiskWhenTheNodeletsEndUnasked) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "revisit_slam/pose_graph/slam_graph.h"
-#include "revisit_slam/loops/search/loop_search.h"
+#include "revisit_slam/loops/search/loop_search_result.h"
 
 namespace revisit_slam {
 

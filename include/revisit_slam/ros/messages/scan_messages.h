@@ -8,6 +8,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <string>
+#include <vector>
 
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
@@ -27,6 +28,10 @@ nav_msgs::Odometry toOdometry(const RegisteredScan& scan, const std::string& odo
 void fillCovariances(const Matrix6& covariance_pose, const Matrix6& covariance_motion,
                      double seconds, const Pose& T_odom_base, nav_msgs::Odometry& odometry);
 
+/// With the covariances of pose and motion; those of a session's first scan are not filled in.
+nav_msgs::Odometry toOdometry(const InformedScan& informed, const std::string& odom_frame,
+                              const std::string& base_frame);
+
 /// An arrow at the base for every weak direction: red for translation, blue for rotation. The first
 /// marker deletes those of the scan before.
 visualization_msgs::MarkerArray toMarkers(const std::vector<WeakDirection>& weak_directions,
@@ -37,6 +42,9 @@ sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const s
 
 /// received, processed and every reason of dropping as key and value.
 void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status);
+/// Each weak direction, [translation; rotation], with its eigenvalue.
+void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
+                       diagnostic_msgs::DiagnosticStatus& status);
 void addValue(const std::string& key, const std::string& value,
               diagnostic_msgs::DiagnosticStatus& status);
 

@@ -8,8 +8,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "revisit_slam/types/informed_scan.h"
-
 namespace revisit_slam {
 
 /// The core holds what it is given in std::shared_ptr; ROS 1 hands out boost::shared_ptr. The
@@ -68,8 +66,3 @@ boost::shared_ptr<const T> toBoostPointer(const std::shared_ptr<const T>& pointe
   };                                                                                             \
   }                                                                                              \
   }
-
-REVISIT_SLAM_IN_PROCESS_TOPIC(revisit_slam::RegisteredScan, "revisit_slam/RegisteredScan",
-                              "7265766973697473636e303030303031")
-REVISIT_SLAM_IN_PROCESS_TOPIC(revisit_slam::InformedScan, "revisit_slam/InformedScan",
-                              "7265766973697473636e303030303032")

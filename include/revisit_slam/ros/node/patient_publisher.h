@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <ros/master.h>
+#include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include <algorithm>
 #include <boost/shared_ptr.hpp>
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace revisit_slam {
+
+/// Whether somebody advertises all these topics. The number of subscribers does not tell who listens:
+/// those of one process count as one.
+inline bool areAdvertised(const ros::NodeHandle& node, const std::vector<std::string>& names) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    const std::string wanted = node.resolveName(name);
+    return std::any_of(topics.begin(), topics.end(),
+                       [&](const auto& topic) { return topic.name == wanted; });
+  });
+}
 
 /// Nodelets are loaded in any order while the sensor runs already: what is published before those
 /// that need it listen waits for them, so that they see every scan. Patience ends: whoever is not

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/util/parameters.h"
+
+namespace revisit_slam {
+
+/// The local map that scans are registered to.
+struct LocalVoxelMapConfig {
+  double voxel_size = 1.0;
+  int max_points_per_voxel = 20;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("voxel_size", voxel_size, Range{0.02, 20.0}, "m", "edge of a voxel; a hundredth of max_range");
+    v("max_points_per_voxel", max_points_per_voxel, Range{1, 100}, "", "points kept in a voxel");
+  }
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "revisit_slam/loops/acceptance/loop_closer.h"
+#include "revisit_slam/loops/recognition/place_recognition.h"
+#include "revisit_slam/loops/search/loop_search_result.h"
+#include "revisit_slam/loops/search/loops_config.h"
+#include "revisit_slam/loops/search/retroactive_search.h"
+#include "revisit_slam/types/map_correction.h"
+
+namespace revisit_slam {
+
+/// Finds the loops of a session (paper Sec. III-C and III-E): by appearance for each local map, and
+/// retroactively among the maps that the graph has brought together. What it finds depends on the
+/// order of calls alone. All its work runs in the current TBB arena.
+class LoopDetector {
+ public:
+  LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
+               const InformationConfig& information);
+
+  /// Takes effect with the next search. What accepts a loop may change while a drive goes on, pictures and
+  /// registration may not.
+  void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
+
+  /// The next local map of the session: recognises the place that it shows among all earlier ones, and
+  /// registers the submaps of both.
+  LoopSearchResult searchByAppearance(const LocalMapPtr& map);
+
+  /// After the graph has taken loops: pairs of maps since the last such search that it has brought
+  /// together.
+  LoopSearchResult searchRetroactively();
+
+  /// Where appearance closed no loop: the newest map and those so little of the way back that the odometry
+  /// alone places them.
+  LoopSearchResult searchInReach();
+
+  /// Where the graph has the scans, from here on.
+  void correct(const MapCorrectionPtr& correction) { correction_ = correction; }
+
+  bool hasClosedLoops() const { return !closed_.empty(); }
+  const std::vector<LocalMapPtr>& maps() const { return maps_; }
+
+ private:
+  std::vector<Pose> placeScans() const;
+  LoopSearchResult newSearch(LoopOrigin origin) const;
+  std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
+                    const std::vector<Pose>& T_map_scan, LoopSearchResult& result);
+  std::vector<LoopProposal> close(const LocalMapPair& maps, const std::vector<Pose>& T_map_scan);
+
+  bool enabled_;
+  int max_pairs_;
+  PlaceRecognition recognition_;
+  LoopCloser appearance_closer_, retroactive_closer_;
+  RetroactiveSearch retroactive_;
+
+  std::vector<LocalMapPtr> maps_;  // of the session, by number
+  MapCorrectionPtr correction_;    // the newest; null: none yet
+  std::set<LocalMapPair> closed_, tried_;
+  std::optional<LocalMapId> searched_;  // p: up to it all maps were searched retroactively
+};
+
+}  // namespace revisit_slam

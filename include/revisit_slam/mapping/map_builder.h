@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <memory>
+
+#include "revisit_slam/types/informed_scan.h"
+#include "revisit_slam/mapping/map_hierarchy.h"
+#include "revisit_slam/occupancy/occupancy_builder.h"
+#include "revisit_slam/mapping/point_map.h"
+
+namespace revisit_slam {
+
+/// What a scan closed; null where nothing was. A local map comes with the last of its submaps.
+struct MapUpdate {
+  SubmapPtr submap;
+  /// The points of the submap as finely as files have them, in its frame.
+  Points detail_submap;
+  SubmapOccupancyPtr occupancy;  ///< of the submap; null where occupancy is switched off
+  LocalMapPtr local_map;
+};
+
+using MapUpdatePtr = std::shared_ptr<const MapUpdate>;
+
+/// Builds submaps and local maps from the scans of a drive (paper Sec. III-C), and beside them the
+/// occupancy of each submap and what is written to disk of it.
+class MapBuilder {
+ public:
+  MapBuilder(const MappingConfig& mapping, const OccupancyConfig& occupancy);
+
+  MapUpdate insert(const RegisteredScan& scan);
+  /// Closes what is open, if anything.
+  MapUpdate closeAll();
+
+ private:
+  MapUpdate take(ClosedMaps closed);
+
+  double detail_voxel_size_;
+  bool with_occupancy_;
+  MapHierarchy hierarchy_;
+  PointMap detail_;
+  OccupancyBuilder occupancy_;
+  Pose T_odom_submap_;  // of the open one
+  bool open_ = false;
+  tbb::task_arena arena_{1};
+};
+
+}  // namespace revisit_slam

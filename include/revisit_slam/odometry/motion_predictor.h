@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "revisit_slam/odometry/motion.h"
+#include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
+
+namespace revisit_slam {
+
+/// What is expected of the base between the previous scan and an instant.
+struct PredictedMotion {
+  Pose T_previous_base;      ///< the base at the instant, in its frame at the previous scan
+  ConstantMotion velocity;   ///< while the scan is taken: what it is deskewed with
+  /// From the previous scan, in whole, however far the motion is extrapolated; 0: there is none.
+  double seconds = 0.0;
+  /// Whether motion was seen before, and lately: what the prediction misses then says something about
+  /// the motion. False at the first two scans and after a long gap.
+  bool is_known = false;
+  bool is_after_gap = false;  ///< too long since the previous scan to extrapolate all of it
+};
+
+/// Predicts the motion of the base from scan to scan. Constant velocity is one way; wheels or a gyro
+/// are others.
+class MotionPredictor {
+ public:
+  virtual ~MotionPredictor() = default;
+
+  virtual PredictedMotion predict(Stamp stamp) const = 0;
+
+  /// The base was found at this pose. Stamps ascend.
+  virtual void observe(Stamp stamp, const Pose& T_odom_base) = 0;
+
+  /// Takes over what may change between two scans.
+  virtual void reconfigure(const OdometryConfig&) {}
+};
+
+/// The base goes on as it did between the two scans before (KISS-ICP Sec. III-A). Over longer gaps
+/// than max_prediction_time it is extrapolated only so far.
+class ConstantVelocityPredictor final : public MotionPredictor {
+ public:
+  explicit ConstantVelocityPredictor(const OdometryConfig& config) { reconfigure(config); }
+
+  PredictedMotion predict(Stamp stamp) const override;
+  void observe(Stamp stamp, const Pose& T_odom_base) override;
+  void reconfigure(const OdometryConfig& config) override {
+    max_prediction_time_ = config.max_prediction_time;
+  }
+
+ private:
+  double max_prediction_time_ = 0.0;  // s
+  int observed_ = 0;  // up to 2
+  Stamp previous_stamp_;
+  Pose T_odom_previous_;
+  ConstantMotion motion_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ros/time.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <mutex>
+#include <optional>
+
+#include "revisit_slam/types/ids.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
+#include "revisit_slam/slam/slam_config.h"
+
+namespace revisit_slam {
+
+/// Broadcasts where the odometry frame is in the map. Time runs on a little from the newest scan,
+/// whatever clock its stamps are from. May be used from any thread; none waits for another for
+/// long.
+class MapBroadcaster {
+ public:
+  MapBroadcaster(const FramesConfig& frames, const LiveConfig& live)
+      : frames_(frames), live_(live) {}
+
+  /// A scan has come. One of another session puts the odometry frame back to the map's origin.
+  void onScan(SessionId session, Stamp stamp);
+  /// Broadcasts a correction at once, unless it is of another session.
+  void correct(SessionId session, const Pose& T_map_odom);
+  /// Nothing before the first scan, nor twice for the same time.
+  void broadcast();
+
+ private:
+  void broadcastLocked(bool at_once);
+
+  const FramesConfig frames_;
+  const LiveConfig live_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+
+  std::mutex mutex_;  // guards what follows
+  std::optional<SessionId> session_;
+  Pose T_map_odom_;
+  Stamp newest_scan_;
+  ros::Time newest_arrival_;
+  Stamp last_broadcast_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/types/map_correction.h"
+#include "revisit_slam/loops/search/loop_search_result.h"
+
+namespace revisit_slam {
+
+/// Maps, and the search for loops, for rviz: where the newest correction has them. What nobody
+/// listens to is not built. Only one thread may use it.
+class MapDisplay {
+ public:
+  /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
+  MapDisplay(ros::NodeHandle& node, const std::string& frame, std::function<void()> on_subscriber);
+
+  void startAnew(SessionId session);
+  void add(const SubmapPtr& submap) {
+    if (submap->id.session == session_) submaps_.push_back(submap);
+  }
+  void add(const LoopSearchResult& search);
+  /// One of another session places nothing.
+  void place(const MapCorrectionPtr& correction) {
+    if (correction->session == session_) correction_ = correction;
+  }
+  void draw() const;
+
+ private:
+  Pose placeOf(const Submap& submap) const;
+  Pose placeOf(const LocalMap& map) const { return placeOf(*map.submaps.front()); }
+  void drawClouds() const;
+  void drawMarkers() const;
+
+  std::string frame_;
+  ros::Publisher local_maps_, submap_points_, outlines_, keyposes_, density_, candidates_;
+
+  SessionId session_;
+  std::vector<SubmapPtr> submaps_;  // by number
+  std::vector<LocalMapPtr> maps_;   // by number
+  std::deque<LoopSearchResult> searches_;
+  std::shared_ptr<const PlaceView> view_;  // the newest
+  MapCorrectionPtr correction_;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "revisit_slam/mapping/map_builder.h"
+#include "revisit_slam/slam/loop_closing.h"
+#include "revisit_slam/slam/session_order.h"
+#include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/types/informed_scan.h"
+#include "revisit_slam/util/lane.h"
+
+namespace revisit_slam {
+
+/// How much the map manager has done. Of its two lanes.
+struct MapManagerCount {
+  std::atomic<int> missed_scans{0};   ///< of no use, as scans before them were missed
+  std::atomic<int> thinned_scans{0};  ///< in the trajectories of submaps, but without their points
+};
+
+/// Builds submaps and local maps from the scans of session after session in one lane, and closes loops
+/// between the local maps in another, so that building does not wait for it.
+class MapManager {
+ public:
+  struct Outputs {
+    std::function<void(const MapUpdatePtr&)> maps;  ///< in the lane that builds
+    std::function<void(SessionId)> session;         ///< another one begins; in the lane that searches
+    LoopClosing::Outputs loops;                     ///< in the lane that searches
+  };
+
+  /// The lanes must outlive this, or end before it does.
+  MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs);
+
+  // In any thread, always the same order.
+
+  /// The first scan of another session closes the maps of the one before. Scans whose predecessors were
+  /// missed are of no use. Where more than mapping/max_waiting scans wait, this one gets by without its points:
+  /// that bounds the memory, and no scan is missing in a trajectory.
+  void insert(const RegisteredScanPtr& scan);
+
+  /// Closes the open maps. When they are searched `loops.closed` follows.
+  void close(std::uint32_t request);
+
+  // In any thread.
+
+  void correct(const MapCorrectionPtr& correction);
+  void reconfigure(const std::function<void(LoopsConfig&, RetroactiveConfig&)>& change);
+
+  const MapManagerCount& count() const { return count_; }
+  /// In the lane that searches: local maps that have not been searched wholly.
+  std::size_t waiting() const;
+
+ private:
+  void build(const RegisteredScan& scan);
+  void hand(MapUpdate update);
+  void closeSession(std::uint32_t request, std::uint32_t scans);
+  void inLane(SessionId session, const std::function<void(LoopClosing&)>& work);
+
+  const MappingConfig mapping_;
+  const OccupancyConfig occupancy_;
+  Lane &building_, &searching_;
+  const Outputs outputs_;
+  MapManagerCount count_;
+
+  // In the lane that builds.
+  SessionOrder order_;
+  SessionId session_;
+  std::unique_ptr<MapBuilder> builder_;  // null before the first scan
+
+  // In the lane that searches.
+  tbb::task_arena arena_;
+  SlamConfig config_;  // in force
+  std::map<SessionId, LoopClosing> closing_;  // the newest session, and those with work left
+};
+
+}  // namespace revisit_slam

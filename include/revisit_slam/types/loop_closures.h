@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/types/constraint.h"
+#include "revisit_slam/types/ids.h"
+
+namespace revisit_slam {
+
+/// The loop constraints that a search for one local map has found, for the graph.
+struct LoopClosures {
+  LocalMapId map;    ///< the newest when the search was made
+  ScanId last_scan;  ///< of that map: the graph is optimised up to here, whatever has come since
+  LoopOrigin origin = LoopOrigin::appearance;
+  /// Numbers the closures of a session from 1; the correction that answers them bears it.
+  std::uint32_t request = 0;
+  /// Without any there is nothing to correct, and no answer.
+  std::vector<LoopConstraint> constraints;
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
+
+namespace revisit_slam {
+
+enum class RegistrationOutcome {
+  converged,
+  max_iterations,             ///< the pose is the last iterate
+  too_few_correspondences,    ///< the pose is the initial one
+  map_empty,                  ///< the first scan: the pose is the initial one
+};
+
+const char* toString(RegistrationOutcome outcome);
+
+struct RegistrationResult {
+  Pose T_odom_base;
+  /// What the motion since the previous scan, by which the points were deskewed, is held to have
+  /// missed, [m; rad]; zero without lags. See `straighten`.
+  Tangent bend = Tangent::Zero();
+  RegistrationOutcome outcome = RegistrationOutcome::map_empty;
+  int iterations = 0;
+  std::size_t correspondences = 0;
+  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/loops/loop_detector.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace revisit_slam {
+namespace {
+
+RetroactiveConfig searchConfig(const LoopsConfig& loops, RetroactiveConfig retroactive) {
+  retroactive.enabled = retroactive.enabled && loops.enabled;
+  return retroactive;
+}
+
+/// Associates submaps by the limits by which the search finds local maps.
+LoopCloserConfig closerConfig(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
+  LoopCloserConfig closer = loops.closer;
+  closer.association = retroactive.association;
+  return closer;
+}
+
+}  // namespace
+
+LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
+                           const InformationConfig& information)
+    : enabled_(loops.enabled),
+      max_pairs_(retroactive.max_pairs),
+      recognition_(loops.recognition),
+      appearance_closer_(loops.closer, information),
+      retroactive_closer_(closerConfig(loops, retroactive), information),
+      retroactive_(searchConfig(loops, retroactive)) {}
+
+void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
+  max_pairs_ = retroactive.max_pairs;
+  recognition_.reconfigure(loops.recognition);
+  appearance_closer_.reconfigure(loops.closer);
+  retroactive_closer_.reconfigure(closerConfig(loops, retroactive));
+  retroactive_.reconfigure(searchConfig(loops, retroactive));
+}
+
+LoopSearchResult LoopDetector::newSearch(LoopOrigin origin) const {
+  LoopSearchResult result;
+  result.origin = origin;
+  result.map = maps_.back();
+  return result;
+}
+
+LoopSearchResult LoopDetector::searchByAppearance(const LocalMapPtr& map) {
+  maps_.push_back(map);
+  LoopSearchResult result = newSearch(LoopOrigin::appearance);
+  if (!enabled_) return result;
+  StageClock clock;
+  result.match = recognition_.recognise(*map);
+  result.candidates = recognition_.candidates();
+  result.view = std::make_shared<const PlaceView>(recognition_.lastView());
+  clock.stage("recognition");
+  if (result.match) {
+    const LocalMap& target = *maps_.at(result.match->target.value);
+    result.proposals = appearance_closer_.close(*map, target, result.match->T_target_source,
+                                                LoopOrigin::appearance);
+    for (LoopProposal& proposal : result.proposals) proposal.loop.inliers = result.match->inliers;
+  }
+  clock.stage("registration");
+  result.times = clock.times();
+  for (const LoopConstraint& loop : result.accepted())
+    closed_.insert({loop.source_map, loop.target_map});
+  return result;
+}
+
+LoopSearchResult LoopDetector::searchRetroactively() {
+  LoopSearchResult result = newSearch(LoopOrigin::retroactive);
+  StageClock clock;
+  const LocalMapId newest = maps_.back()->id;
+  const std::vector<Pose> T_map_scan = placeScans();
+  std::vector<RetroactiveCandidate> candidates =
+      retroactive_.search(maps_, T_map_scan, searched_, newest, closed_);
+  const auto was_tried = [&](const auto& candidate) { return tried_.count(candidate.maps) > 0; };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), was_tried),
+                   candidates.end());
+  const std::size_t done = close(candidates, T_map_scan, result);
+  for (std::size_t i = 0; i < done; ++i) tried_.insert(candidates[i].maps);
+  if (done == candidates.size()) searched_ = newest;
+  clock.stage("retroactive");
+  result.times = clock.times();
+  return result;
+}
+
+/// What is not closed now may be once the graph has moved it: it does not count as tried.
+LoopSearchResult LoopDetector::searchInReach() {
+  LoopSearchResult result = newSearch(LoopOrigin::retroactive);
+  StageClock clock;
+  const std::vector<Pose> T_map_scan = placeScans();
+  close(retroactive_.searchInReach(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan,
+        result);
+  clock.stage("retroactive");
+  result.times = clock.times();
+  return result;
+}
+
+/// As many as may be at a time. @return how many were tried.
+std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
+                                const std::vector<Pose>& T_map_scan, LoopSearchResult& result) {
+  std::size_t done = 0;
+  for (; done < candidates.size() && static_cast<int>(result.proposals.size()) < max_pairs_;
+       ++done) {
+    const std::vector<LoopProposal> proposals = close(candidates[done].maps, T_map_scan);
+    result.proposals.insert(result.proposals.end(), proposals.begin(), proposals.end());
+  }
+  return done;
+}
+
+std::vector<LoopProposal> LoopDetector::close(const LocalMapPair& maps,
+                                              const std::vector<Pose>& T_map_scan) {
+  const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
+  const std::vector<LoopProposal> proposals =
+      retroactive_closer_.close(placed(maps.first), placed(maps.second), LoopOrigin::retroactive);
+  if (!acceptedOf(proposals).empty()) closed_.insert(maps);
+  return proposals;
+}
+
+/// T_map_scan of all scans of the maps, by number: as the newest correction has them, those after it as
+/// it carries them along.
+std::vector<Pose> LoopDetector::placeScans() const {
+  std::vector<Pose> T_map_scan;
+  if (correction_) T_map_scan = correction_->T_map_scan;
+  const Pose T_map_odom = correction_ ? correction_->T_map_odom : Pose::identity();
+  for (const LocalMapPtr& map : maps_)
+    for (const SubmapPtr& submap : map->submaps) {
+      if (submap->lastScan().value < T_map_scan.size()) continue;
+      const Pose T_map_submap = T_map_odom * submap->T_odom_submap;
+      for (std::size_t i = T_map_scan.size() - submap->first_scan.value;
+           i < submap->T_submap_scan.size(); ++i)
+        T_map_scan.push_back(i == 0 ? T_map_submap : T_map_submap * submap->T_submap_scan[i]);
+    }
+  return T_map_scan;
+}
+
+}  // namespace revisit_slam

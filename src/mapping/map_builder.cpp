@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/mapping/map_builder.h"
+
+#include <utility>
+
+namespace revisit_slam {
+
+MapBuilder::MapBuilder(const MappingConfig& mapping, const OccupancyConfig& occupancy)
+    : detail_voxel_size_(mapping.detail_voxel_size),
+      with_occupancy_(occupancy.enabled),
+      hierarchy_(mapping),
+      detail_(mapping.detail_voxel_size),
+      occupancy_(occupancy) {}
+
+MapUpdate MapBuilder::insert(const RegisteredScan& scan) {
+  MapUpdate update;
+  arena_.execute([&] {
+    update = take(hierarchy_.insert(scan.id, scan.stamp, scan.T_odom_base, scan.points_base));
+  });
+  if (!open_) T_odom_submap_ = scan.T_odom_base;
+  open_ = true;
+  const Pose T_submap_base = T_odom_submap_.inverse() * scan.T_odom_base;
+  detail_.insert(scan.points_base, T_submap_base);
+  if (with_occupancy_) occupancy_.insert(scan.points_base, T_submap_base, scan.sensor_base);
+  return update;
+}
+
+MapUpdate MapBuilder::closeAll() {
+  return arena_.execute([&] { return take(hierarchy_.closeAll()); });
+}
+
+MapUpdate MapBuilder::take(ClosedMaps closed) {
+  MapUpdate update;
+  update.submap = std::move(closed.submap);
+  update.local_map = std::move(closed.local_map);
+  if (!update.submap) return update;
+  update.detail_submap = std::exchange(detail_, PointMap(detail_voxel_size_)).points();
+  if (with_occupancy_) update.occupancy = occupancy_.close();
+  open_ = false;
+  return update;
+}
+
+}  // namespace revisit_slam

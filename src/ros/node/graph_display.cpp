@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/graph_display.h"
+
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/loop_markers.h"
+#include "revisit_slam/ros/messages/path_message.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kMaxPoints = 2'000'000;
+constexpr std::size_t kMaxPoses = 2'000;
+
+}  // namespace
+
+GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame, double pulling_weight,
+                           std::function<void()> on_subscriber)
+    : frame_(frame), pulling_weight_(pulling_weight) {
+  const bool latch = true;
+  const ros::SubscriberStatusCallback connected =
+      [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
+  const ros::SubscriberStatusCallback none;
+  const ros::VoidConstPtr untracked;
+  using Cloud = sensor_msgs::PointCloud2;
+  using Markers = visualization_msgs::MarkerArray;
+  path_ = node.advertise<nav_msgs::Path>("path", 1, connected, none, untracked, latch);
+  edges_ = node.advertise<Markers>("loop_edges", 1, connected, none, untracked, latch);
+  cloud_ = node.advertise<Cloud>("map_cloud", 1, connected, none, untracked, latch);
+}
+
+void GraphDisplay::draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const {
+  drawPath(graph);
+  if (edges_.getNumSubscribers() > 0) edges_.publish(toLoopEdges(graph, pulling_weight_, frame_));
+  if (cloud_.getNumSubscribers() > 0) {
+    std::vector<CloudPart> parts;
+    for (const SubmapPtr& submap : submaps)
+      if (submap->first_scan.value < graph.size())
+        parts.push_back({&submap->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    cloud_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+  }
+}
+
+void GraphDisplay::drawPath(const SlamGraph& graph) const {
+  if (path_.getNumSubscribers() > 0) path_.publish(toPath(graph, frame_, kMaxPoses));
+}
+
+}  // namespace revisit_slam

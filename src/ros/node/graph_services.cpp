@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/graph_services.h"
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/ros/node/stage_topics.h"
+
+namespace revisit_slam {
+
+GraphServices::GraphServices(const ros::NodeHandle& private_node,
+                             std::function<void(const Work&)> do_in_worker,
+                             const ros::Publisher& close_maps)
+    : do_in_worker_(std::move(do_in_worker)), close_maps_(close_maps) {
+  ros::NodeHandle node(private_node);
+  node.setCallbackQueue(&queue_);
+  save_service_ = node.advertiseService("save", &GraphServices::save, this);
+  finish_service_ = node.advertiseService("finish", &GraphServices::finish, this);
+  take_back_service_ = node.advertiseService("take_back_loop", &GraphServices::takeBack, this);
+  spinner_.start();
+}
+
+void GraphServices::stop() {
+  ending_ = true;
+  spinner_.stop();
+}
+
+bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response) {
+  try {
+    do_in_worker_([&](GraphSession* session) {
+      if (!session) throw std::runtime_error("there is nothing to save yet");
+      session->save(request.folder);
+      response.path = request.folder.empty() ? session->folder() : request.folder;
+      response.scans = static_cast<std::uint32_t>(session->graph().size());
+      response.submaps = static_cast<std::uint32_t>(session->submaps().size());
+      response.loops = static_cast<std::uint32_t>(activeLoops(session->graph()));
+    });
+    response.success = true;
+    response.message = "saved to " + response.path;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool GraphServices::takeBack(TakeBackLoop::Request& request, TakeBackLoop::Response& response) {
+  do_in_worker_([&](GraphSession* session) {
+    response.success = session && session->takeBack(LoopId{request.loop});
+  });
+  response.message = response.success ? "taken back" : "there is no active loop of this id";
+  return true;
+}
+
+bool GraphServices::finish(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  CloseMaps close;
+  close.request = ++requests_;
+  close_maps_.publish(boost::make_shared<const CloseMaps>(close));
+  while (answered_ < close.request && !ending_) {
+    if (close_maps_.getNumSubscribers() == 0) {
+      response.message = "no map manager listens";
+      return true;
+    }
+    changed_.wait_for(lock, std::chrono::milliseconds(100));
+  }
+  response.success = answered_ >= close.request && problem_.empty();
+  response.message = response.success ? "finished" : problem_;
+  return true;
+}
+
+void GraphServices::answer(std::uint32_t request, const std::string& problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  answered_ = std::max(answered_, request);
+  problem_ = problem;
+  changed_.notify_all();
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/graph_status.h"
+
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
+
+namespace revisit_slam {
+
+void GraphStatus::note(const GraphSession& session) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  loops_.clear();
+  for (const LoopEdge& edge : session.graph().loops())
+    ++loops_[std::string(toString(edge.loop.origin)) + ", " + toString(edge.state)];
+  scans_ = session.graph().size();
+  submaps_ = session.submaps().size();
+  count_ = session.count();
+  folder_ = session.folder();
+  if (count_.optimisations > 0) return;  // else a session that has just begun
+  version_ = 0;
+  told_rejections_ = 0;
+}
+
+void GraphStatus::noteMissedScan() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++missed_scans_;
+}
+
+void GraphStatus::noteCorrection(const MapCorrection& correction) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  version_ = correction.version;
+  moved_end_ = correction.moved_end;
+}
+
+void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& status) {
+  constexpr std::size_t most_waiting = 200;  // 20 s of scans
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status.level = status.OK;
+  status.message = "running";
+  if (count_.rejected > told_rejections_) {
+    status.level = status.WARN;
+    status.message = "an optimisation was rejected";
+  }
+  if (missed_scans_ > told_misses_) {
+    status.level = status.WARN;
+    status.message = "scans were missed; call odometry/reset";
+  }
+  if (waiting > most_waiting) {
+    status.level = status.WARN;
+    status.message = "falling behind";
+  }
+  told_rejections_ = count_.rejected;
+  told_misses_ = missed_scans_;
+  addValue("scans", std::to_string(scans_), status);
+  addValue("scans missed", std::to_string(missed_scans_), status);
+  addValue("submaps", std::to_string(submaps_), status);
+  for (const auto& [kind, count] : loops_)
+    addValue("loops by " + kind, std::to_string(count), status);
+  addValue("optimisations", std::to_string(count_.optimisations), status);
+  addValue("optimisations rejected", std::to_string(count_.rejected), status);
+  addValue("map version", std::to_string(version_), status);
+  addValue("last correction moved the end by (m)", std::to_string(moved_end_), status);
+  addValue("waiting", std::to_string(waiting), status);
+  addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
+  addValue("folder", folder_, status);
+}
+
+}  // namespace revisit_slam

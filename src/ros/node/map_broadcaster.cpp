@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/map_broadcaster.h"
+
+#include <algorithm>
+
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+
+void MapBroadcaster::onScan(SessionId session, Stamp stamp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool anew = session != session_;
+  if (anew) T_map_odom_ = Pose::identity();
+  if (anew) last_broadcast_ = {};
+  session_ = session;
+  newest_scan_ = stamp;
+  newest_arrival_ = ros::Time::now();
+  if (anew) broadcastLocked(true);
+}
+
+void MapBroadcaster::correct(SessionId session, const Pose& T_map_odom) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (session != session_) return;
+  T_map_odom_ = T_map_odom;
+  broadcastLocked(true);
+}
+
+void MapBroadcaster::broadcast() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  broadcastLocked(false);
+}
+
+void MapBroadcaster::broadcastLocked(bool at_once) {
+  if (!session_ || !live_.broadcast_map) return;
+  // Not far ahead of scans that come late: what is dated ahead is what they are placed by.
+  constexpr double kLongest = 0.2;  // s
+  const double since_scan = std::clamp((ros::Time::now() - newest_arrival_).toSec(), 0.0, kLongest);
+  Stamp stamp = newest_scan_.plusSeconds(since_scan + live_.transform_tolerance);
+  if (stamp <= last_broadcast_) {
+    if (!at_once) return;
+    stamp = last_broadcast_.plusSeconds(1e-6);  // tf ignores a second one of the same time
+  }
+  last_broadcast_ = stamp;
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = toRosTime(stamp);
+  message.header.frame_id = frames_.map;
+  message.child_frame_id = frames_.odom;
+  message.transform = toTransformMessage(T_map_odom_);
+  broadcaster_.sendTransform(message);
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/map_display.h"
+
+#include <boost/make_shared.hpp>
+
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/density_message.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/loop_markers.h"
+#include "revisit_slam/ros/messages/map_markers.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kMaxPoints = 1'000'000;
+constexpr std::size_t kSearches = 20;  // the newest, which are shown
+
+bool wanted(const ros::Publisher& publisher) {
+  return publisher.getNumSubscribers() > 0;
+}
+
+}  // namespace
+
+MapDisplay::MapDisplay(ros::NodeHandle& node, const std::string& frame,
+                       std::function<void()> on_subscriber)
+    : frame_(frame) {
+  const bool latch = true;
+  const ros::SubscriberStatusCallback connected =
+      [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
+  const ros::SubscriberStatusCallback none;
+  const ros::VoidConstPtr untracked;
+  using Cloud = sensor_msgs::PointCloud2;
+  using Markers = visualization_msgs::MarkerArray;
+  local_maps_ = node.advertise<Cloud>("local_maps", 1, connected, none, untracked, latch);
+  submap_points_ = node.advertise<Cloud>("submaps", 1, connected, none, untracked, latch);
+  outlines_ = node.advertise<Markers>("map_outlines", 1, connected, none, untracked, latch);
+  keyposes_ = node.advertise<Markers>("keyposes", 1, connected, none, untracked, latch);
+  density_ =
+      node.advertise<sensor_msgs::Image>("density_image", 1, connected, none, untracked, latch);
+  candidates_ = node.advertise<Markers>("loop_candidates", 1, connected, none, untracked, latch);
+}
+
+void MapDisplay::startAnew(SessionId session) {
+  session_ = session;
+  submaps_.clear();
+  maps_.clear();
+  searches_.clear();
+  view_.reset();
+  correction_.reset();
+  draw();
+}
+
+void MapDisplay::add(const LoopSearchResult& search) {
+  if (search.map->id.session != session_) return;
+  if (search.origin == LoopOrigin::appearance) maps_.push_back(search.map);
+  if (search.view) view_ = search.view;
+  searches_.push_back(search);
+  if (searches_.size() > kSearches) searches_.pop_front();
+}
+
+Pose MapDisplay::placeOf(const Submap& submap) const {
+  if (!correction_) return submap.T_odom_submap;
+  const std::size_t scan = submap.first_scan.value;
+  return scan < correction_->T_map_scan.size() ? correction_->T_map_scan[scan]
+                                               : correction_->T_map_odom * submap.T_odom_submap;
+}
+
+void MapDisplay::draw() const {
+  drawClouds();
+  drawMarkers();
+  if (wanted(density_) && view_) {
+    sensor_msgs::Image image = toDensityMessage(*view_);
+    image.header.stamp = ros::Time::now();
+    image.header.frame_id = frame_;
+    density_.publish(boost::make_shared<const sensor_msgs::Image>(std::move(image)));
+  }
+}
+
+void MapDisplay::drawClouds() const {
+  if (wanted(local_maps_)) {
+    std::vector<CloudPart> parts;
+    for (const LocalMapPtr& map : maps_)
+      parts.push_back({&map->points, placeOf(*map), colourOf(map->id.value)});
+    local_maps_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+  }
+  if (wanted(submap_points_)) {
+    std::vector<CloudPart> parts;
+    for (const SubmapPtr& submap : submaps_)
+      parts.push_back({&submap->points, placeOf(*submap), colourOf(submap->id.value)});
+    submap_points_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+  }
+}
+
+void MapDisplay::drawMarkers() const {
+  if (wanted(outlines_)) {
+    std::vector<Pose> T_map_local;
+    for (const LocalMapPtr& map : maps_) T_map_local.push_back(placeOf(*map));
+    outlines_.publish(toOutlines(maps_, T_map_local, frame_));
+  }
+  if (wanted(keyposes_)) {
+    std::vector<Pose> T_map_submap;
+    for (const SubmapPtr& submap : submaps_) T_map_submap.push_back(placeOf(*submap));
+    keyposes_.publish(toKeyposes(submaps_, T_map_submap, frame_));
+  }
+  if (wanted(candidates_))
+    candidates_.publish(toLoopCandidates(
+        {searches_.begin(), searches_.end()},
+        [this](LocalMapId id) { return placeOf(*maps_.at(id.value)); },
+        [this](SubmapId id) { return placeOf(*submaps_.at(id.value)); }, frame_));
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/sensor_placement.h"
+
+#include <ros/console.h>
+
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+namespace {
+
+/// What a change of a transform has to exceed to be one.
+constexpr double kSmallestShift = 1e-3;  // m
+constexpr double kSmallestTurn = 1e-3;   // rad
+
+bool differ(const Pose& a, const Pose& b) {
+  const Pose change = a.inverse() * b;
+  return change.translation.norm() > kSmallestShift || change.angle() > kSmallestTurn;
+}
+
+}  // namespace
+
+std::optional<Pose> SensorPlacement::find(const std::string& sensor_frame,
+                                          const std::function<bool()>& stopping) {
+  if (base_frame_.empty()) base_frame_ = sensor_frame;
+  const auto known = placed_.find(sensor_frame);
+  if (known == placed_.end()) return placed_[sensor_frame] = waitFor(sensor_frame, stopping);
+  const std::optional<Pose> T_base_sensor = lookUp(sensor_frame);
+  if (!T_base_sensor) {
+    ROS_WARN_THROTTLE(5.0,
+                      "no transform from '%s' to '%s': its scans are dropped; broadcast one, or set "
+                      "frames/base to a frame that is connected, or to nothing for the sensor's own",
+                      sensor_frame.c_str(), base_frame_.c_str());
+    return std::nullopt;
+  }
+  if (known->second && differ(*known->second, *T_base_sensor))
+    ROS_WARN_THROTTLE(5.0, "the transform from '%s' to '%s' has changed: scans are placed by the new one",
+                      sensor_frame.c_str(), base_frame_.c_str());
+  return known->second = T_base_sensor;
+}
+
+std::optional<Pose> SensorPlacement::lookUp(const std::string& sensor_frame) const {
+  if (sensor_frame == base_frame_) return Pose::identity();
+  try {
+    return toPose(buffer_.lookupTransform(base_frame_, sensor_frame, ros::Time(0)).transform);
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Pose> SensorPlacement::waitFor(const std::string& sensor_frame,
+                                             const std::function<bool()>& stopping) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(patience_);
+  std::optional<Pose> T_base_sensor = lookUp(sensor_frame);
+  while (!T_base_sensor && !stopping() && ros::WallTime::now() < end) {
+    ROS_WARN_THROTTLE(5.0, "waiting for the transform from '%s' to '%s'; scans wait too",
+                      sensor_frame.c_str(), base_frame_.c_str());
+    ros::WallDuration(0.05).sleep();
+    T_base_sensor = lookUp(sensor_frame);
+  }
+  return T_base_sensor;
+}
+
+}  // namespace revisit_slam

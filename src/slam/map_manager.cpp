@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/map_manager.h"
+
+#include <utility>
+
+namespace revisit_slam {
+
+namespace {
+
+/// What the trajectory of a submap needs of a scan.
+RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
+  auto thinned = std::make_shared<RegisteredScan>();
+  thinned->id = scan.id;
+  thinned->stamp = scan.stamp;
+  thinned->T_odom_base = scan.T_odom_base;
+  thinned->sensor_base = scan.sensor_base;
+  return thinned;
+}
+
+}  // namespace
+
+MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
+    : mapping_(config.mapping),
+      occupancy_(config.occupancy),
+      building_(building),
+      searching_(searching),
+      outputs_(std::move(outputs)),
+      arena_(config.background.threads),
+      config_(config) {}
+
+void MapManager::insert(const RegisteredScanPtr& scan) {
+  const bool is_behind = building_.waiting() > static_cast<std::size_t>(mapping_.max_waiting);
+  if (is_behind) ++count_.thinned_scans;
+  building_.post([this, kept = is_behind ? withoutPoints(*scan) : scan] { build(*kept); });
+}
+
+void MapManager::build(const RegisteredScan& scan) {
+  const std::uint32_t scans_before = order_.scans();
+  switch (order_.take(scan.id)) {
+    case ScanOrder::missed:
+      ++count_.missed_scans;
+      return;
+    case ScanOrder::first:
+      if (builder_) closeSession(0, scans_before);
+      session_ = scan.id.session;
+      builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
+      searching_.post([this, session = session_] { outputs_.session(session); });
+      break;
+    case ScanOrder::next:
+      break;
+  }
+  hand(builder_->insert(scan));
+}
+
+void MapManager::close(std::uint32_t request) {
+  building_.post([this, request] { closeSession(request, order_.scans()); });
+}
+
+void MapManager::closeSession(std::uint32_t request, std::uint32_t scans) {
+  if (builder_) hand(builder_->closeAll());
+  const MapsClosed closed{session_, scans, request};
+  inLane(session_, [closed](LoopClosing& closing) { closing.finish(closed); });
+}
+
+void MapManager::hand(MapUpdate update) {
+  if (!update.submap) return;
+  const auto maps = std::make_shared<const MapUpdate>(std::move(update));
+  outputs_.maps(maps);
+  if (!maps->local_map) return;
+  inLane(session_, [map = maps->local_map](LoopClosing& closing) { closing.add(map); });
+}
+
+void MapManager::correct(const MapCorrectionPtr& correction) {
+  inLane(correction->session,
+         [correction](LoopClosing& closing) { closing.correct(correction); });
+}
+
+void MapManager::reconfigure(
+    const std::function<void(LoopsConfig&, RetroactiveConfig&)>& change) {
+  searching_.post([this, change] {
+    change(config_.loops, config_.retroactive);
+    for (auto& [session, closing] : closing_)
+      closing.reconfigure(config_.loops, config_.retroactive);
+  });
+}
+
+std::size_t MapManager::waiting() const {
+  std::size_t waiting = 0;
+  for (const auto& [session, closing] : closing_) waiting += closing.waiting();
+  return waiting;
+}
+
+/// A session that is over lives on here until its work is done.
+void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&)>& work) {
+  searching_.post([this, session, work] {
+    const auto entry = closing_.try_emplace(session, config_, outputs_.loops).first;
+    arena_.execute([&] { work(entry->second); });
+    for (auto other = closing_.begin(); std::next(other) != closing_.end();)
+      other = other->second.isIdle() ? closing_.erase(other) : std::next(other);
+  });
+}
+
+}  // namespace revisit_slam
