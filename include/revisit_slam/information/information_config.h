@@ -23,7 +23,7 @@ struct InformationConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("enabled", enabled, "false: every odometry edge has the identity as information (ablation)");
-    v("samples", samples, Range{40, 1000}, "", "evaluations of the objective per scan");
+    v("samples", samples, Range{42, 1000}, "", "evaluations of the objective per scan");
     v("translation_range", translation_range, Range{1e-3, 1.0}, "m",
       "perturbations reach this far along each axis");
     v("rotation_range", rotation_range, Range{1e-4, 0.1}, "rad",
