@@ -62,27 +62,38 @@ LoopSearchResult LoopDetector::searchByAppearance(const LocalMapPtr& map) {
   }
   clock.stage("registration");
   result.times = clock.times();
-  for (const LoopConstraint& loop : result.accepted())
-    closed_.insert({loop.source_map, loop.target_map});
   return result;
 }
 
 LoopSearchResult LoopDetector::searchRetroactively() {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
+  if (searchWindow(tried_, result)) {
+    searched_ = maps_.back()->id;
+    tried_.clear();
+  }
+  return result;
+}
+
+LoopSearchResult LoopDetector::searchUnspent(std::set<LocalMapPair>& tried) {
+  LoopSearchResult result = newSearch(LoopOrigin::retroactive);
+  searchWindow(tried, result);
+  return result;
+}
+
+/// As many pairs as may be at a time. @return whether these were all.
+bool LoopDetector::searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult& result) const {
   StageClock clock;
-  const LocalMapId newest = maps_.back()->id;
   const std::vector<Pose> T_map_scan = placeScans();
   std::vector<RetroactiveCandidate> candidates =
-      retroactive_.search(maps_, T_map_scan, searched_, newest, closed_);
-  const auto was_tried = [&](const auto& candidate) { return tried_.count(candidate.maps) > 0; };
+      retroactive_.search(maps_, T_map_scan, searched_, maps_.back()->id, closed_);
+  const auto was_tried = [&](const auto& candidate) { return tried.count(candidate.maps) > 0; };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), was_tried),
                    candidates.end());
   const std::size_t done = close(candidates, T_map_scan, result);
-  for (std::size_t i = 0; i < done; ++i) tried_.insert(candidates[i].maps);
-  if (done == candidates.size()) searched_ = newest;
+  for (std::size_t i = 0; i < done; ++i) tried.insert(candidates[i].maps);
   clock.stage("retroactive");
   result.times = clock.times();
-  return result;
+  return done == candidates.size();
 }
 
 /// What is not closed now may be once the graph has moved it: it does not count as tried.
@@ -99,23 +110,33 @@ LoopSearchResult LoopDetector::searchInReach() {
 
 /// As many as may be at a time. @return how many were tried.
 std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
-                                const std::vector<Pose>& T_map_scan, LoopSearchResult& result) {
+                                const std::vector<Pose>& T_map_scan,
+                                LoopSearchResult& result) const {
+  const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
   std::size_t done = 0;
   for (; done < candidates.size() && static_cast<int>(result.proposals.size()) < max_pairs_;
        ++done) {
-    const std::vector<LoopProposal> proposals = close(candidates[done].maps, T_map_scan);
+    const auto& [source, target] = candidates[done].maps;
+    const std::vector<LoopProposal> proposals =
+        retroactive_closer_.close(placed(source), placed(target), LoopOrigin::retroactive);
     result.proposals.insert(result.proposals.end(), proposals.begin(), proposals.end());
   }
   return done;
 }
 
-std::vector<LoopProposal> LoopDetector::close(const LocalMapPair& maps,
-                                              const std::vector<Pose>& T_map_scan) {
-  const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
-  const std::vector<LoopProposal> proposals =
-      retroactive_closer_.close(placed(maps.first), placed(maps.second), LoopOrigin::retroactive);
-  if (!acceptedOf(proposals).empty()) closed_.insert(maps);
-  return proposals;
+/// A pair whose loops the graph has rejected is not closed: a search may find the right one.
+void LoopDetector::correct(const MapCorrectionPtr& correction) {
+  correction_ = correction;
+  closed_.clear();
+  for (const LoopEdge& edge : correction->loops)
+    if (edge.state != LoopState::contradicted)
+      closed_.insert({edge.loop.source_map, edge.loop.target_map});
+}
+
+bool LoopDetector::newestIsClosed() const {
+  return std::any_of(closed_.begin(), closed_.end(), [&](const LocalMapPair& pair) {
+    return pair.first == maps_.back()->id;
+  });
 }
 
 /// T_map_scan of all scans of the maps, by number: as the newest correction has them, those after it as

@@ -54,22 +54,32 @@ void LoopClosing::advance() {
 
 void LoopClosing::begin(const LocalMapPtr& map) {
   const LoopSearchResult result = detector_.searchByAppearance(map);
-  const bool closed = !result.accepted().empty();
-  hand(result, [this] { searchRetroactively([] {}); });
-  if (!closed) hand(detector_.searchInReach(), [] {});
+  const bool is_closed = !result.accepted().empty();
+  hand(result, [this] { searchAfterAnswer(); });
+  if (!is_closed) hand(detector_.searchInReach(), [] {});
+}
+
+/// What the graph has rejected is no closure.
+void LoopClosing::searchAfterAnswer() {
+  hand(detector_.newestIsClosed() ? detector_.searchRetroactively() : detector_.searchInReach(),
+       [] {});
 }
 
 void LoopClosing::begin(const MapsClosed& closed) {
-  const auto end = [this, closed] { outputs_.closed(closed); };
-  detector_.hasClosedLoops() ? searchRetroactively(end) : end();
+  tried_at_the_end_.clear();
+  searchToTheEnd(closed);
 }
 
-/// `then` follows when the graph has taken what was found; at once where that is nothing.
-void LoopClosing::searchRetroactively(std::function<void()> then) {
-  const LoopSearchResult result = detector_.searchRetroactively();
-  const bool closed = !result.accepted().empty();
-  hand(result, then);
-  if (!closed) then();
+/// As long as there are pairs that have not been tried; the graph moves between.
+void LoopClosing::searchToTheEnd(const MapsClosed& closed) {
+  while (detector_.hasClosedLoops()) {
+    const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_);
+    if (result.proposals.empty()) break;
+    const bool is_closed = !result.accepted().empty();
+    hand(result, [this, closed] { searchToTheEnd(closed); });
+    if (is_closed) return;
+  }
+  outputs_.closed(closed);
 }
 
 /// `then` follows when the graph has taken the loops, if there are any.

@@ -31,25 +31,32 @@ class LoopDetector {
   LoopSearchResult searchByAppearance(const LocalMapPtr& map);
 
   /// After the graph has taken loops: pairs of maps since the last such search that it has brought
-  /// together.
+  /// together. These maps count as searched afterwards.
   LoopSearchResult searchRetroactively();
+
+  /// Pairs of maps since the last search by searchRetroactively(), without counting them as searched: a
+  /// closure that comes later searches them with better poses. Each call takes the next pairs that were not
+  /// `tried`, until there are none.
+  LoopSearchResult searchUnspent(std::set<LocalMapPair>& tried);
 
   /// Where appearance closed no loop: the newest map and those so little of the way back that the odometry
   /// alone places them.
   LoopSearchResult searchInReach();
 
-  /// Where the graph has the scans, from here on.
-  void correct(const MapCorrectionPtr& correction) { correction_ = correction; }
+  /// Where the graph has the scans, and which loops it has taken.
+  void correct(const MapCorrectionPtr& correction);
 
   bool hasClosedLoops() const { return !closed_.empty(); }
+  /// Whether the graph has taken a loop of the newest map.
+  bool newestIsClosed() const;
   const std::vector<LocalMapPtr>& maps() const { return maps_; }
 
  private:
   std::vector<Pose> placeScans() const;
   LoopSearchResult newSearch(LoopOrigin origin) const;
+  bool searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult& result) const;
   std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
-                    const std::vector<Pose>& T_map_scan, LoopSearchResult& result);
-  std::vector<LoopProposal> close(const LocalMapPair& maps, const std::vector<Pose>& T_map_scan);
+                    const std::vector<Pose>& T_map_scan, LoopSearchResult& result) const;
 
   bool enabled_;
   int max_pairs_;
@@ -59,7 +66,8 @@ class LoopDetector {
 
   std::vector<LocalMapPtr> maps_;  // of the session, by number
   MapCorrectionPtr correction_;    // the newest; null: none yet
-  std::set<LocalMapPair> closed_, tried_;
+  std::set<LocalMapPair> closed_;  // by the graph
+  std::set<LocalMapPair> tried_;   // after the window was last searched to its end
   std::optional<LocalMapId> searched_;  // p: up to it all maps were searched retroactively
 };
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -34,7 +35,7 @@ class LoopClosing {
   void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
 
   void add(const LocalMapPtr& map);
-  /// Searches a last time when all maps so far are searched, and then passes `closed` on.
+  /// Searches to the end of what is left when all maps so far are searched, and then passes `closed` on.
   void finish(const MapsClosed& closed);
   /// The graph's answer, or another correction.
   void correct(const MapCorrectionPtr& correction);
@@ -54,7 +55,8 @@ class LoopClosing {
   void advance();
   void begin(const LocalMapPtr& map);
   void begin(const MapsClosed& closed);
-  void searchRetroactively(std::function<void()> then);
+  void searchAfterAnswer();
+  void searchToTheEnd(const MapsClosed& closed);
   void hand(const LoopSearchResult& result, std::function<void()> then);
 
   LoopDetector detector_;
@@ -62,6 +64,7 @@ class LoopClosing {
   std::deque<Work> work_;  // not begun
   std::uint32_t requests_ = 0;
   std::optional<Awaited> awaited_;  // the graph's answer; meanwhile nothing is begun
+  std::set<LocalMapPair> tried_at_the_end_;
 };
 
 }  // namespace revisit_slam
