@@ -135,7 +135,8 @@ class BackEndNodelet : public SlamNodelet {
   }
 
   void finish(const MapsClosed& closed) {
-    stage_->add(closed, [this, request = closed.request](const std::string& problem) {
+    stage_->add(closed, [this, request = closed.request](const GraphSession*,
+                                                              const std::string& problem) {
       if (!problem.empty()) noteError(problem);
       draw();
       services_->answer(request, problem);

@@ -84,23 +84,29 @@ class OdometryNodelet : public SlamNodelet {
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
       reading.scan->T_base_sensor = *T_base_sensor;
     }
-    OdometryStage::Result result;
+    std::vector<OdometryStage::Result> results;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      result = stage_->process(std::move(reading));
-      note(result);
+      results = stage_->process(std::move(reading));
     }
-    if (!result.output.scan) {
-      NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
-      return;
-    }
-    publish(result.output);
+    for (const OdometryStage::Result& result : results) finish(result);
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
     scan_times_.add(clock.times().back().second);
   }
 
+  void finish(const OdometryStage::Result& result) {
+    if (!result.notice.empty()) NODELET_WARN("%s", result.notice.c_str());
+    note(result);
+    if (result.output.scan) {
+      publish(result.output);
+    } else {
+      NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
+    }
+  }
+
   void note(const OdometryStage::Result& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (result.output.scan) {
       last_registration_ = result.output.scan->registration;
       last_delay_ = secondsBetween(result.output.scan->stamp, toStamp(ros::Time::now()));
@@ -162,6 +168,7 @@ class OdometryNodelet : public SlamNodelet {
     addValue("iterations", std::to_string(last_registration_.iterations), status);
     addValue("delay (s)", std::to_string(last_delay_), status);
     addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
+    addValue("scans held until the next", std::to_string(stage_->held()), status);
     addAccount(account, status);
   }
 

@@ -17,17 +17,16 @@ ScanOrder BackEnd::add(const GraphNode& node) {
   return order;
 }
 
-/// The session before lives on until its last maps have come.
 void BackEnd::startSession(SessionId id, Stamp start) {
   if (session_) session_->writeGraph();
-  before_ = std::move(session_);
-  session_ = std::make_unique<GraphSession>(id, config_, start, on_correction_);
+  auto& session = sessions_[id];
+  session = std::make_unique<GraphSession>(id, config_, start, on_correction_);
+  session_ = session.get();
 }
 
 GraphSession* BackEnd::find(SessionId id) const {
-  for (const auto* session : {&session_, &before_})
-    if (*session && (*session)->id() == id) return session->get();
-  return nullptr;
+  const auto entry = sessions_.find(id);
+  return entry == sessions_.end() ? nullptr : entry->second.get();
 }
 
 void BackEnd::add(const MapUpdate& update) {
@@ -38,19 +37,21 @@ void BackEnd::add(const LoopClosures& closures) {
   if (GraphSession* session = find(closures.map.session)) session->add(closures);
 }
 
-void BackEnd::add(const MapsClosed& closed, const std::function<void(const std::string&)>& done) {
+void BackEnd::add(const MapsClosed& closed, const Done& done) {
   GraphSession* session = find(closed.session);
-  if (!session) return done("there is nothing to finish");
-  session->after(closed.scans, [session, done] {
+  if (!session) return done(nullptr, "there is nothing to finish");
+  const auto is_saved = std::make_shared<bool>(false);
+  session->after(closed.scans, [session, done, is_saved] {
+    *is_saved = true;
     std::string problem;
     try {
       session->saveOwn();
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    done(problem);
+    done(session, problem);
   });
-  if (session == before_.get()) before_.reset();
+  if (*is_saved && session != session_) sessions_.erase(closed.session);
 }
 
 void BackEnd::reconfigure(const BackEndConfig& config) {

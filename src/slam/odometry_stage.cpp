@@ -11,16 +11,41 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       session_(first),
       information_(config.information),
       arena_(config.odometry.threads),
+      gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
       odometry_(config.odometry) {}
 
-OdometryStage::Result OdometryStage::process(ScanReading reading) {
+std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   ++account_.received;
   account_.points_received += reading.counts.received;
   account_.points_dropped["not finite"] += reading.counts.not_finite;
   account_.points_dropped["at the sensor's origin"] += reading.counts.at_origin;
   account_.points_dropped["without time"] += reading.counts.no_time;
-  if (!reading.scan) return reject(describe(reading.rejection), reading.detail);
+  if (!reading.scan) return {reject(describe(reading.rejection), reading.detail)};
+  return process(gate_.take(std::move(reading)));
+}
 
+std::vector<OdometryStage::Result> OdometryStage::flush() {
+  return process(gate_.flush());
+}
+
+std::vector<OdometryStage::Result> OdometryStage::process(
+    std::vector<StampGate::Decision> decisions) {
+  std::vector<Result> results;
+  for (StampGate::Decision& decision : decisions) {
+    if (!decision.refusal.empty()) {
+      results.push_back(reject(decision.refusal));
+      continue;
+    }
+    if (decision.went_back) beginSession();
+    results.push_back(registerScan(std::move(decision.reading)));
+    if (decision.went_back)
+      results.back().notice = "the stamps went back by " + std::to_string(*decision.went_back) +
+                              " s: a new session begins";
+  }
+  return results;
+}
+
+OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   Result result;
   OdometryResult aligned;
   arena_.execute([&] {
@@ -35,7 +60,7 @@ OdometryStage::Result OdometryStage::process(ScanReading reading) {
   });
   account_.points_dropped["too near"] += aligned.too_near;
   account_.points_dropped["too far"] += aligned.too_far;
-  if (!aligned.scan) return reject(toString(aligned.outcome), "");
+  if (!aligned.scan) return reject(toString(aligned.outcome));
   ++account_.processed;
   aligned.scan->id.session = session_;
   aligned.scan->sensor_frame = std::move(reading.frame_id);
@@ -56,9 +81,14 @@ void OdometryStage::countDropped(const std::string& reason) {
 }
 
 void OdometryStage::startSession() {
+  beginSession();
+  gate_.restart();
+  account_ = {};
+}
+
+void OdometryStage::beginSession() {
   ++session_.value;
   odometry_ = Odometry(config_);
-  account_ = {};
 }
 
 void OdometryStage::reconfigure(const OdometryConfig& config) {
@@ -66,10 +96,10 @@ void OdometryStage::reconfigure(const OdometryConfig& config) {
   odometry_.reconfigure(config);
 }
 
-OdometryStage::Result OdometryStage::reject(const char* reason, const std::string& detail) {
+OdometryStage::Result OdometryStage::reject(const std::string& reason, const std::string& detail) {
   ++account_.dropped[reason];
   Result result;
-  result.rejection = detail.empty() ? reason : std::string(reason) + ": " + detail;
+  result.rejection = detail.empty() ? reason : reason + ": " + detail;
   return result;
 }
 

@@ -35,15 +35,21 @@ MapManager::Outputs Slam::outputsOfMaps() {
   outputs.loops.closures = [this](const LoopClosures& closures) {
     executor_.background().post([this, closures] { back_end_.add(closures); });
   };
-  outputs.loops.closed = [](const MapsClosed&) {};
+  outputs.loops.closed = [this](const MapsClosed& closed) {
+    executor_.background().post([this, closed] { end(closed); });
+  };
   outputs.loops.problem = [](const std::string& problem) { throw std::runtime_error(problem); };
   return outputs;
 }
 
-void Slam::insert(ScanReading reading, const StageTimes& times_before) {
-  const OdometryStage::Result result = odometry_.process(std::move(reading));
+void Slam::insert(ScanReading reading, const StageTimes& times) {
+  for (const OdometryStage::Result& result : odometry_.process(std::move(reading)))
+    take(result, times);
+}
+
+void Slam::take(const OdometryStage::Result& result, StageTimes times) {
+  if (!result.notice.empty()) observer_.onNotice(result.notice);
   if (!result.output.scan) return observer_.onRejection(result.rejection);
-  StageTimes times = times_before;
   times.insert(times.end(), result.times.begin(), result.times.end());
   StageClock clock;
   const InformedScan informed = information_.inform(result.output);
@@ -60,8 +66,16 @@ void Slam::insert(const InformedScan& informed) {
   executor_.background().post([this, node = nodeOf(informed)] { back_end_.add(node); });
 }
 
+void Slam::end(const MapsClosed& closed) {
+  back_end_.add(closed, [this](const GraphSession* session, const std::string& problem) {
+    if (!problem.empty()) throw std::runtime_error(problem);
+    observer_.onSession(*session);
+  });
+}
+
 void Slam::finish() {
-  if (with_maps_) maps_.close(0);
+  for (const OdometryStage::Result& result : odometry_.flush()) take(result, {});
+  if (with_maps_ && odometry_.account().processed > 0) maps_.close(0);
   executor_.finish();
 }
 

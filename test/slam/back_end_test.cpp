@@ -89,7 +89,7 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   ASSERT_EQ(corrections_.size(), 1u);
   EXPECT_EQ(corrections_.front()->session, kFirst);
   std::string answer = "none";
-  back_end_.add(MapsClosed{kFirst, 20, 0}, [&](const std::string& problem) { answer = problem; });
+  back_end_.add(MapsClosed{kFirst, 20, 0}, [&](const GraphSession*, const std::string& problem) { answer = problem; });
   EXPECT_EQ(answer, "");
   back_end_.add(closure(0, 19, 2));  // nobody is there any more
   EXPECT_EQ(corrections_.size(), 1u);
@@ -104,7 +104,7 @@ TEST_F(BackEndTest, scansAfterAGapAreOfNoUse) {
 
 TEST_F(BackEndTest, finishingWaitsForTheScansAndSaysWhatIsWrong) {
   std::string answer = "none";
-  const auto keep = [&](const std::string& problem) { answer = problem; };
+  const auto keep = [&](const GraphSession*, const std::string& problem) { answer = problem; };
   back_end_.add(MapsClosed{kFirst, 10, 1}, keep);
   EXPECT_EQ(answer, "there is nothing to finish");
   answer = "none";
@@ -121,7 +121,10 @@ TEST_F(BackEndTest, aSessionWithAFolderIsOnDiskWhenItIsClosed) {
   BackEnd back_end(config_, [](const MapCorrectionPtr&) {});
   for (std::uint32_t i = 0; i < 12; ++i) back_end.add(node(i));
   const std::string drive = back_end.session()->folder();
-  back_end.add(MapsClosed{kFirst, 12, 1}, [](const std::string& problem) { EXPECT_EQ(problem, ""); });
+  back_end.add(MapsClosed{kFirst, 12, 1}, [](const GraphSession* session, const std::string& problem) {
+    EXPECT_NE(session, nullptr);
+    EXPECT_EQ(problem, "");
+  });
   EXPECT_EQ(readTum(drive + "/trajectory.tum").size(), 12u);
 }
 

@@ -22,11 +22,17 @@ ScanReading readingOf(const Scan& scan) {
   return reading;
 }
 
+OdometryStage::Result processOne(OdometryStage& stage, ScanReading reading) {
+  const std::vector<OdometryStage::Result> results = stage.process(std::move(reading));
+  EXPECT_EQ(results.size(), 1u);
+  return results.empty() ? OdometryStage::Result{} : results.front();
+}
+
 TEST(OdometryStage, handsOnScansWithTheirRegistrationProblem) {
   const Drive drive = driveInRoom(3);
   OdometryStage stage(roomSlam(), SessionId{5});
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const OdometryStage::Result result = stage.process(readingOf(drive.scans[i]));
+    const OdometryStage::Result result = processOne(stage, readingOf(drive.scans[i]));
     ASSERT_TRUE(result.output.scan);
     EXPECT_EQ(result.output.scan->id, (ScanId{i, SessionId{5}}));
     EXPECT_EQ(result.output.scan->sensor_frame, "lidar");
@@ -43,8 +49,8 @@ TEST(OdometryStage, thePosesAreThoseOfTheOdometryWithAndWithoutInformation) {
   Odometry odometry(roomConfig());
   for (const Scan& scan : drive.scans) {
     const auto expected = odometry.registerScan(scan).scan->T_odom_base.matrix();
-    EXPECT_EQ(with_stage.process(readingOf(scan)).output.scan->T_odom_base.matrix(), expected);
-    const auto output = without_stage.process(readingOf(scan)).output;
+    EXPECT_EQ(processOne(with_stage, readingOf(scan)).output.scan->T_odom_base.matrix(), expected);
+    const auto output = processOne(without_stage, readingOf(scan)).output;
     EXPECT_EQ(output.scan->T_odom_base.matrix(), expected);
     EXPECT_FALSE(output.problem);
   }
@@ -54,8 +60,8 @@ TEST(OdometryStage, accountsForEveryReading) {
   const Drive drive = driveInRoom(2);
   OdometryStage stage(roomSlam());
   stage.process(readingOf(drive.scans[0]));
-  EXPECT_EQ(stage.process(readingOf(drive.scans[0])).rejection, "duplicate stamp");
-  EXPECT_EQ(stage.process(ScanReading{}).rejection.empty(), false);
+  EXPECT_EQ(processOne(stage, readingOf(drive.scans[0])).rejection, "duplicate stamp");
+  EXPECT_EQ(processOne(stage, ScanReading{}).rejection.empty(), false);
   stage.countDropped("queue full");
   const ScanAccount& account = stage.account();
   EXPECT_EQ(account.received, 4u);
@@ -68,11 +74,41 @@ TEST(OdometryStage, aNewSessionStartsFromTheIdentity) {
   OdometryStage stage(roomSlam(), SessionId{5});
   for (const Scan& scan : drive.scans) stage.process(readingOf(scan));
   stage.startSession();
-  const auto output = stage.process(readingOf(drive.scans[0])).output;  // older, and welcome
+  const auto output = processOne(stage, readingOf(drive.scans[0])).output;  // older, and welcome
   ASSERT_TRUE(output.scan);
   EXPECT_EQ(output.scan->id, (ScanId{0, SessionId{6}}));
   EXPECT_EQ(output.scan->T_odom_base.matrix(), Eigen::Matrix4d::Identity());
   EXPECT_EQ(stage.account().received, 1u);
+}
+
+TEST(OdometryStage, aClockSetBackBeginsASessionAndLosesNoScan) {
+  const Drive drive = driveInRoom(20);
+  OdometryStage stage(roomSlam(), SessionId{5});
+  std::vector<OdometryStage::Result> results;
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    Scan scan = drive.scans[i];
+    if (i < 10) scan.stamp = scan.stamp.plusSeconds(3600.0);
+    for (OdometryStage::Result& result : stage.process(readingOf(scan)))
+      results.push_back(std::move(result));
+  }
+  ASSERT_EQ(results.size(), 20u);
+  for (std::uint32_t i = 0; i < 20; ++i)
+    EXPECT_EQ(results[i].output.scan->id, (ScanId{i % 10, SessionId{5 + i / 10}})) << i;
+  EXPECT_NE(results[10].notice.find("a new session begins"), std::string::npos);
+  EXPECT_EQ(results[10].output.scan->T_odom_base.matrix(), Eigen::Matrix4d::Identity());
+  EXPECT_EQ(stage.account().processed, 20u);
+}
+
+TEST(OdometryStage, oneStampAheadCostsThatScanAlone) {
+  const Drive drive = driveInRoom(20);
+  OdometryStage stage(roomSlam());
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    Scan scan = drive.scans[i];
+    if (i == 7) scan.stamp = scan.stamp.plusSeconds(3600.0);
+    stage.process(readingOf(scan));
+  }
+  EXPECT_EQ(stage.account().processed, 19u);
+  EXPECT_EQ(stage.account().dropped.at("stamp ahead of the next one"), 1u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "revisit_slam/session/graph_files.h"
 #include "support/simulated_slam.h"
 
 namespace revisit_slam {

@@ -38,7 +38,7 @@ inline InformedDrive simulateInformedDrive(const std::string& route_name, double
   simulateDrive(simulator, route, scanCount(route), 2, [&](int, const SimulatedScan& simulated) {
     ScanReading reading;
     reading.scan = simulated.scan;
-    const OdometryStage::Result result = odometry.process(std::move(reading));
+    const OdometryStage::Result result = odometry.process(std::move(reading)).at(0);
     drive.truth.push_back(route.poseAt(result.output.scan->stamp));
     drive.scans.push_back(information.inform(result.output));
   });

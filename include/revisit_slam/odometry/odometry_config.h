@@ -67,6 +67,7 @@ struct OdometryConfig {
   double min_range = 0.5;
   bool deskew = true;
   double max_prediction_time = 1.0;
+  int restart_after = 5;
   int threads = 2;
   LocalVoxelMapConfig map;
   RegistrationConfig registration;
@@ -79,6 +80,10 @@ struct OdometryConfig {
     v("deskew", deskew, "undo the motion within a scan where its point times are known");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
       "the motion is extrapolated over longer gaps only this far, and the tolerance starts anew");
+    v("restart_after", restart_after, Range{2, 1000}, "scans",
+      "scans in a row, in order, that are older than the newest, after which a new session begins with "
+      "them: the clock was set back or the recording starts over. Raise it if late scans come in long "
+      "bursts; lower it if a new session should begin sooner");
     v("threads", threads, Range{1, 64}, "", "threads of the odometry; results do not depend on it");
     v.group("map", map);
     v.group("registration", registration);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -13,8 +14,8 @@
 
 namespace revisit_slam {
 
-/// The pose graphs of session after session (paper Sec. III-D). What arrives late for the session before
-/// still finds it. Its result depends on the order of what it is given within each session alone. For one
+/// The pose graphs of session after session (paper Sec. III-D). What arrives late for a session before
+/// still finds it, until its maps are closed. Its result depends on the order of what it is given within each session alone. For one
 /// thread.
 class BackEnd {
  public:
@@ -27,15 +28,17 @@ class BackEnd {
   void add(const MapUpdate& update);
   void add(const LoopClosures& closures);
 
-  /// Writes what belongs to the session, when its scans are all there, and then calls `done` with nothing
-  /// or with why it could not.
-  void add(const MapsClosed& closed, const std::function<void(const std::string&)>& done);
+  /// Gets the session, null if there is none, and nothing or what is wrong.
+  using Done = std::function<void(const GraphSession*, const std::string& problem)>;
+
+  /// Writes what belongs to the session when its scans are all there, and then calls `done`.
+  void add(const MapsClosed& closed, const Done& done);
 
   void reconfigure(const BackEndConfig& config);
 
   /// The one that runs; null before the first scan.
-  GraphSession* session() { return session_.get(); }
-  const GraphSession* session() const { return session_.get(); }
+  GraphSession* session() { return session_; }
+  const GraphSession* session() const { return session_; }
 
  private:
   void startSession(SessionId id, Stamp start);
@@ -44,7 +47,8 @@ class BackEnd {
   SlamConfig config_;
   const GraphSession::OnCorrection on_correction_;
   SessionOrder order_;
-  std::unique_ptr<GraphSession> session_, before_;
+  std::map<SessionId, std::unique_ptr<GraphSession>> sessions_;  // that are not closed, and the newest
+  GraphSession* session_ = nullptr;                              // the newest
 };
 
 }  // namespace revisit_slam

@@ -5,11 +5,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/input/scan_reading.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/slam/stamp_gate.h"
 #include "revisit_slam/types/scan_account.h"
 
 namespace revisit_slam {
@@ -23,7 +25,7 @@ struct OdometryOutput {
 };
 
 /// From readings to registered scans that carry their registration problem, with an account of
-/// everything that was dropped.
+/// everything that was dropped. A clock that was set back begins a session by itself.
 class OdometryStage {
  public:
   /// Sessions count from `first`.
@@ -32,24 +34,33 @@ class OdometryStage {
   struct Result {
     OdometryOutput output;  ///< without scan where the reading was dropped
     std::string rejection;  ///< why
+    std::string notice;     ///< of a session that began with it; else empty
     StageTimes times;
   };
 
-  Result process(ScanReading reading);
+  /// What became of the reading, and of those before whose stamps had to be confirmed: none, one or more.
+  std::vector<Result> process(ScanReading reading);
+  /// What became of readings that wait to be confirmed, as no further one comes.
+  std::vector<Result> flush();
 
   /// Counts a message that never became a reading.
   void countDropped(const std::string& reason);
 
-  /// The next scan is the first of another session, in an odometry frame of its own.
+  /// The next scan is the first of another session, in an odometry frame of its own; the account begins anew.
   void startSession();
 
   void reconfigure(const OdometryConfig& config);
 
-  /// Of the session.
+  /// Since startSession().
   const ScanAccount& account() const { return account_; }
+  /// Readings that wait for the next to confirm their stamps.
+  std::size_t held() const { return gate_.held(); }
 
  private:
-  Result reject(const char* reason, const std::string& detail);
+  std::vector<Result> process(std::vector<StampGate::Decision> decisions);
+  Result registerScan(ScanReading reading);
+  void beginSession();
+  Result reject(const std::string& reason, const std::string& detail = "");
   std::shared_ptr<const RegistrationProblem> gather(const RegisteredScan& scan) const;
 
   OdometryConfig config_;
@@ -57,6 +68,7 @@ class OdometryStage {
   SessionId session_;
   InformationEstimator information_;
   tbb::task_arena arena_;
+  StampGate gate_;
   Odometry odometry_;
   ScanAccount account_;
 };

@@ -32,10 +32,12 @@ class Slam {
   void finish();
 
   const ScanAccount& account() const { return odometry_.account(); }
-  /// After finish(); null without scans.
+  /// After finish(): the last; null without scans.
   const GraphSession* session() const { return back_end_.session(); }
 
  private:
+  void take(const OdometryStage::Result& result, StageTimes times);
+  void end(const MapsClosed& closed);
   MapManager::Outputs outputsOfMaps();
 
   SlamObserver& observer_;

@@ -16,7 +16,6 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       source_(std::move(source)),
       folder_(folder),
       reader_(config.input),
-      files_(folder, config.mapping, config.occupancy),
       total_(max_scans > 0 ? std::min(max_scans, source_->size()) : source_->size()),
       progress_("mapping", "scans", total_, quiet),
       executor_(config.background),
@@ -101,8 +100,18 @@ void OfflineRun::sayTimeSource() {
   progress_.say(said_time_source_);
 }
 
+/// The first session is in the folder itself, others in folders within.
+SlamFiles& OfflineRun::filesOf(SessionId session) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string folder =
+      session.value == 0 ? "" : "session_" + std::to_string(session.value + 1);
+  return files_
+      .try_emplace(session, folder_.file(folder), config_.mapping, config_.occupancy)
+      .first->second;
+}
+
 void OfflineRun::onMaps(const MapUpdate& update) {
-  files_.add(update);
+  filesOf(update.submap->id.session).add(update);
   if (update.local_map) memory_.push_back({folder_.pathLength(), memoryMegabytes()});
 }
 
@@ -124,6 +133,11 @@ void OfflineRun::onCorrection(const MapCorrectionPtr& correction) {
   background_times_.push_back({{"optimisation", 1e3 * correction->seconds}});
 }
 
+/// The last one is written when everything is known of the run.
+void OfflineRun::onSession(const GraphSession& session) {
+  if (&session != slam_.session()) filesOf(session.id()).write(session.graph());
+}
+
 void OfflineRun::writeResults() {
   const ScanAccount& account = slam_.account();
   for (const StageTimes& times : background_times_) folder_.addTimes(times);
@@ -140,7 +154,7 @@ void OfflineRun::writeResults() {
   summary.threads = config_.odometry.threads;
   countLoops(summary);
   if (config_.mapping.enabled && account.processed > 0) {
-    files_.write(slam_.session()->graph());
+    filesOf(slam_.session()->id()).write(slam_.session()->graph());
     judgeConsistency(summary);
   }
   folder_.finish(summary);
@@ -150,7 +164,7 @@ void OfflineRun::writeResults() {
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {
-  const MapConsistency consistency = files_.consistency(slam_.session()->graph());
+  const MapConsistency consistency = filesOf(slam_.session()->id()).consistency(slam_.session()->graph());
   summary.revisited_cells = consistency.cells.size();
   if (consistency.cells.empty()) return;
   summary.consistency_mean = consistency.mean;

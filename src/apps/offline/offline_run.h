@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -33,6 +34,7 @@ class OfflineRun : private SlamObserver {
   void insert(ScanReading reading, StageClock clock);
   void finishMaps();
   void sayTimeSource();
+  SlamFiles& filesOf(SessionId session);
   void writeResults();
   void judgeConsistency(RunSummary& summary);
   void countLoops(RunSummary& summary) const;
@@ -40,9 +42,11 @@ class OfflineRun : private SlamObserver {
 
   void onScan(const InformedScan& informed, const StageTimes& times) override;
   void onRejection(const std::string& reason) override;
+  void onNotice(const std::string& notice) override { progress_.say(notice); }
   void onMaps(const MapUpdate& update) override;
   void onLoopSearch(const LoopSearchResult& result) override;
   void onCorrection(const MapCorrectionPtr& correction) override;
+  void onSession(const GraphSession& session) override;
 
   using Clock = std::chrono::steady_clock;
   /// Memory held after a local map was closed, and where on the way that was.
@@ -56,14 +60,14 @@ class OfflineRun : private SlamObserver {
   std::unique_ptr<ScanSource> source_;
   RunFolder folder_;
   ScanReader reader_;
-  SlamFiles files_;
   std::size_t total_;
   Progress progress_;
   std::string tracked_frame_, said_time_source_;
   double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
   std::vector<MemoryMark> memory_;
 
-  std::mutex mutex_;  // guards the next two
+  std::mutex mutex_;  // guards the next three
+  std::map<SessionId, SlamFiles> files_;
   std::vector<StageTimes> background_times_;
   int retroactive_pairs_ = 0;  // likewise
 

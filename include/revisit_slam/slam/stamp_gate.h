@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/input/scan_reading.h"
+
+namespace revisit_slam {
+
+/// Decides by its stamp what becomes of a scan. One stamp alone does not tell whether the clock was set, the
+/// recording has a gap, or the stamp is wrong: what does not follow the scan before is held until the scans
+/// after it have told.
+class StampGate {
+ public:
+  /// `max_gap`: s, longer ones between two scans have to be confirmed by the next. `restart_after`: so many
+  /// scans in a row from before the newest, in order, are another clock.
+  StampGate(double max_gap, int restart_after)
+      : max_gap_(max_gap), restart_after_(static_cast<std::size_t>(restart_after)) {}
+
+  struct Decision {
+    ScanReading reading;  ///< with its scan
+    std::string refusal;  ///< empty: the scan goes on
+    /// How far the clock went back where this scan is the first of another session, s.
+    std::optional<double> went_back;
+  };
+
+  /// The decisions that fall with this reading, which has a scan; often its own.
+  std::vector<Decision> take(ScanReading reading);
+
+  /// No scan comes after those held.
+  std::vector<Decision> flush();
+
+  /// The next scan follows none.
+  void restart();
+
+  std::size_t held() const { return behind_.size() + (ahead_ ? 1 : 0); }
+
+ private:
+  void judgeAhead(Stamp next, std::vector<Decision>& decisions);
+  void hold(ScanReading reading, std::vector<Decision>& decisions);
+  void refuseBehind(std::vector<Decision>& decisions);
+  void pass(ScanReading reading, std::vector<Decision>& decisions);
+
+  double max_gap_;
+  std::size_t restart_after_;
+  std::optional<Stamp> last_;         // that went on
+  std::optional<ScanReading> ahead_;  // after a gap
+  std::vector<ScanReading> behind_;   // older than last_, in order
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/stamp_gate.h"
+
+#include <utility>
+
+namespace revisit_slam {
+
+std::vector<StampGate::Decision> StampGate::take(ScanReading reading) {
+  std::vector<Decision> decisions;
+  const Stamp stamp = reading.scan->stamp;
+  if (ahead_) judgeAhead(stamp, decisions);
+  if (last_ && stamp == *last_) {
+    decisions.push_back({std::move(reading), "duplicate stamp", {}});
+  } else if (last_ && stamp < *last_) {
+    hold(std::move(reading), decisions);
+  } else {
+    refuseBehind(decisions);
+    if (last_ && secondsBetween(*last_, stamp) > max_gap_) {
+      ahead_ = std::move(reading);
+    } else {
+      pass(std::move(reading), decisions);
+    }
+  }
+  return decisions;
+}
+
+/// Time goes on from there: a gap. Else the stamp alone was ahead.
+void StampGate::judgeAhead(Stamp next, std::vector<Decision>& decisions) {
+  ScanReading held = std::move(*ahead_);
+  ahead_.reset();
+  if (held.scan->stamp <= next) return pass(std::move(held), decisions);
+  decisions.push_back({std::move(held), "stamp ahead of the next one", {}});
+}
+
+void StampGate::hold(ScanReading reading, std::vector<Decision>& decisions) {
+  if (!behind_.empty() && reading.scan->stamp <= behind_.back().scan->stamp)
+    refuseBehind(decisions);
+  behind_.push_back(std::move(reading));
+  if (behind_.size() < restart_after_) return;
+  const double went_back = secondsBetween(behind_.front().scan->stamp, *last_);
+  for (ScanReading& held : std::exchange(behind_, {})) pass(std::move(held), decisions);
+  decisions[decisions.size() - restart_after_].went_back = went_back;
+}
+
+void StampGate::refuseBehind(std::vector<Decision>& decisions) {
+  for (ScanReading& held : std::exchange(behind_, {}))
+    decisions.push_back({std::move(held), "time went back", {}});
+}
+
+void StampGate::pass(ScanReading reading, std::vector<Decision>& decisions) {
+  last_ = reading.scan->stamp;
+  decisions.push_back({std::move(reading), "", {}});
+}
+
+std::vector<StampGate::Decision> StampGate::flush() {
+  std::vector<Decision> decisions;
+  refuseBehind(decisions);
+  if (ahead_) pass(std::move(*std::exchange(ahead_, std::nullopt)), decisions);
+  return decisions;
+}
+
+void StampGate::restart() {
+  last_.reset();
+  ahead_.reset();
+  behind_.clear();
+}
+
+}  // namespace revisit_slam
