@@ -8,6 +8,7 @@
 
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/session/graph_files.h"
 #include "revisit_slam/slam/slam.h"
 #include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/util/progress.h"

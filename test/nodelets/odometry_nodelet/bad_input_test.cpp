@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <std_msgs/Bool.h>
+
 #include <limits>
 
 #include "in_process_odometry.h"
@@ -43,6 +45,31 @@ TEST_F(BadInput, bigEndianCloudsGiveTheSamePose) {
   const Trajectory poses = listener_.trajectory();
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(distanceBetween(poses[i].T_world_base, poses[i + 6].T_world_base), 0.0);
+}
+
+TEST_F(BadInput, aMessageOfAnotherTypeIsCountedAndTheNodeletLivesOn) {
+  setParameter("frames/base", std::string("robot"));  // where the sensor is on it is not known
+  setParameter("live/transform_patience", 0.0);
+  load();
+  ros::Publisher wrong = node_.advertise<std_msgs::Bool>("livox_points", 10);
+  ASSERT_TRUE(becomesTrue([&] { return wrong.getNumSubscribers() > 0; }));
+  wrong.publish(std_msgs::Bool());
+  ASSERT_TRUE(listener_.diagnoses("scans received", 1));
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"unsupported message type", 1}}));
+  for (const auto& cloud : toClouds(driveInRoom(2))) publish(cloud);
+  EXPECT_TRUE(listener_.diagnoses("scans received", 3));
+  EXPECT_TRUE(listener_.diagnoses("errors", 0));
+}
+
+TEST_F(BadInput, aClockSetBackBeginsANewSession) {
+  load();
+  const Drive drive = driveInRoom(12);
+  auto clouds = toClouds(drive);
+  for (std::size_t i = 0; i < 6; ++i) clouds[i].header.stamp += ros::Duration(100.0);
+  for (const auto& cloud : clouds) publish(cloud);
+  ASSERT_TRUE(listener_.hasPoses(12));
+  EXPECT_EQ(listener_.trajectory()[6].T_world_base.translation.norm(), 0.0);
+  EXPECT_TRUE(listener_.drops().empty());
 }
 
 TEST_F(BadInput, stampsAtTheEndOfTimeAreSurvived) {

@@ -15,10 +15,11 @@ void expectNear(const Pose& T, const Pose& T_expected) {
   EXPECT_LT((T.rotation.conjugate() * T_expected.rotation).vec().norm(), 0.01);
 }
 
-geometry_msgs::TransformStamped mounting(const std::string& base_frame, const Pose& T_base_sensor) {
+geometry_msgs::TransformStamped mounting(const std::string& base_frame, const Pose& T_base_sensor,
+                                         const std::string& sensor_frame = "lidar") {
   geometry_msgs::TransformStamped message;
   message.header.frame_id = base_frame;
-  message.child_frame_id = "lidar";
+  message.child_frame_id = sensor_frame;
   message.transform = toTransformMessage(T_base_sensor);
   return message;
 }
@@ -49,6 +50,61 @@ TEST_F(Extrinsics, withoutBaseFrameThePoseIsTheSensors) {
   const Pose T_first_sensor = T_base_sensor.inverse() * drive.T_first_base.back() * T_base_sensor;
   EXPECT_GT((T_first_sensor.translation - drive.T_first_base.back().translation).norm(), 0.5);
   expectNear(listener_.trajectory().back().T_world_base, T_first_sensor);
+}
+
+TEST_F(Extrinsics, anUnknownFirstFrameIsDroppedAndDoesNotBlockTheOthers) {
+  setParameter("frames/base", std::string("robot"));
+  setParameter("live/transform_patience", 0.3);
+  load();
+  const Drive drive = driveInRoom(12);
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  broadcaster.sendTransform(mounting("robot", drive.scans[0].T_base_sensor));
+  std::vector<sensor_msgs::PointCloud2> clouds = toClouds(drive);
+  for (std::size_t i = 0; i < 2; ++i) clouds[i].header.frame_id = "another";
+  for (const auto& cloud : clouds) publish(cloud);
+  ASSERT_TRUE(listener_.hasPoses(10));
+  ASSERT_TRUE(listener_.diagnoses("scans received", 12));
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"no transform from 'another'", 2}}));
+}
+
+/// Every second scan comes from a sensor that is mounted elsewhere; seen from the base all is one drive.
+TEST_F(Extrinsics, twoSensorsWithFramesOfTheirOwnArePlacedBothRightly) {
+  setParameter("frames/base", std::string("robot"));
+  load();
+  const Drive drive = driveInRoom(16);
+  const Pose T_base_lidar = drive.scans[0].T_base_sensor;
+  const Pose T_lidar_rear{expSO3({0, 0, M_PI / 2}), {-1.0, 0.5, 0.2}};
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  broadcaster.sendTransform(mounting("robot", T_base_lidar));
+  broadcaster.sendTransform(mounting("robot", T_base_lidar * T_lidar_rear, "rear"));
+  Drive seen = drive;
+  for (std::size_t i = 1; i < seen.scans.size(); i += 2)
+    for (Eigen::Vector3f& p : seen.scans[i].points)
+      p = (T_lidar_rear.inverse() * Eigen::Vector3d(p.cast<double>())).cast<float>();
+  std::vector<sensor_msgs::PointCloud2> clouds = toClouds(seen);
+  for (std::size_t i = 1; i < clouds.size(); i += 2) clouds[i].header.frame_id = "rear";
+  for (const auto& cloud : clouds) publish(cloud);
+  ASSERT_TRUE(listener_.hasPoses(16));
+  expectNear(listener_.trajectory().back().T_world_base, drive.T_first_base.back());
+}
+
+TEST_F(Extrinsics, aTransformThatChangesIsFollowedAndSaidSo) {
+  const RosLog log;
+  setParameter("frames/base", std::string("robot"));
+  load();
+  const Drive drive = driveInRoom(3);
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  const std::vector<sensor_msgs::PointCloud2> clouds = toClouds(drive);
+  Pose T_base_sensor = drive.scans[0].T_base_sensor;
+  broadcaster.sendTransform(mounting("robot", T_base_sensor));
+  publish(clouds[0]);
+  ASSERT_TRUE(listener_.hasPoses(1));
+  T_base_sensor.translation.z() += 0.5;
+  broadcaster.sendTransform(mounting("robot", T_base_sensor));
+  ASSERT_TRUE(becomesTrue([&] {
+    publish(clouds[1]);
+    return contains(log.text(), "the transform from 'lidar' to 'robot' has changed");
+  }));
 }
 
 TEST_F(Extrinsics, nodeletEndsWhileItWaits) {
