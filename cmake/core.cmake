@@ -19,7 +19,7 @@ if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
 endif()
 
 set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp odometry information occupancy mapping pose_graph loops io
-    evaluation session slam)
+    datasets evaluation session slam)
 set(core_sources)
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
   file(GLOB_RECURSE folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)

@@ -14,7 +14,7 @@ catkin_package(
   CATKIN_DEPENDS diagnostic_msgs dynamic_reconfigure geometry_msgs message_runtime nav_msgs nodelet
                  rosbag roscpp sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs)
 
-file(GLOB_RECURSE ros_sources CONFIGURE_DEPENDS src/ros/*.cpp src/datasets/*.cpp)
+file(GLOB_RECURSE ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
 add_library(revisit_slam_ros STATIC ${ros_sources})
 revisit_slam_target_options(revisit_slam_ros)
 target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})

@@ -22,13 +22,11 @@ find_package(octomap REQUIRED)  # what we write is compared with what it writes
 target_include_directories(io_test SYSTEM PRIVATE ${OCTOMAP_INCLUDE_DIRS})
 target_link_libraries(io_test ${OCTOMAP_LIBRARIES})
 revisit_slam_gtest(ros revisit_slam_ros revisit_slam_simulation)
-revisit_slam_gtest(datasets revisit_slam_ros revisit_slam_simulation)
-target_compile_definitions(datasets_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TARGET_FILE:convert_dataset>")
-add_dependencies(datasets_test convert_dataset)
-revisit_slam_gtest(apps revisit_slam_ros nlohmann_json::nlohmann_json)
-target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>"
-                                             REVISIT_SLAM_EVALUATE_PROGRAM="$<TARGET_FILE:evaluate>")
-add_dependencies(apps_test offline evaluate)
+revisit_slam_gtest(apps revisit_slam_ros revisit_slam_simulation nlohmann_json::nlohmann_json)
+target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TARGET_FILE:convert_dataset>"
+                                             REVISIT_SLAM_EVALUATE_PROGRAM="$<TARGET_FILE:evaluate>"
+                                             REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>")
+add_dependencies(apps_test convert_dataset evaluate offline)
 
 # test/nodelets/NAME.test starts the program made of test/nodelets/NAME/*_test.cpp with a master of
 # its own.

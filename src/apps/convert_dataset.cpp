@@ -9,8 +9,9 @@
 #include <sstream>
 
 #include "revisit_slam/datasets/open_dataset.h"
-#include "revisit_slam/util/progress.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/ros/input/point_fields.h"
+#include "revisit_slam/util/progress.h"
 
 namespace revisit_slam {
 namespace {
@@ -31,7 +32,8 @@ std::size_t writeBag(const Options& options, const DatasetScans& scans, const st
   std::size_t skipped = 0;
   for (std::size_t i = 0; i < total; ++i) {
     try {
-      const sensor_msgs::PointCloud2 cloud = scans.read(i);
+      sensor_msgs::PointCloud2 cloud = toPointCloud2(scans.read(i));
+      cloud.header.seq = static_cast<std::uint32_t>(i);
       bag.write(options.topic, std::max(cloud.header.stamp, ros::TIME_MIN), cloud);
     } catch (const DatasetError& error) {
       ++skipped;

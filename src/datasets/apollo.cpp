@@ -7,7 +7,6 @@
 #include "pcd_cloud.h"
 #include "revisit_slam/datasets/readers.h"
 #include "revisit_slam/input/time_fields.h"
-#include "revisit_slam/ros/input/point_fields.h"
 #include "text_rows.h"
 
 namespace revisit_slam {
@@ -46,9 +45,9 @@ class Apollo : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
-    sensor_msgs::PointCloud2 cloud = readPcd(file(index).path);
-    for (const PointField& field : findTimeFields(viewOf(cloud).points, "auto"))
+  PointCloud readPoints(std::size_t index) const override {
+    PointCloud cloud = readPcd(file(index).path);
+    for (const PointField& field : findTimeFields(viewOf(cloud), "auto"))
       dropField(cloud, field.name);
     return cloud;
   }

@@ -58,7 +58,7 @@ class Helipr : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
+  PointCloud readPoints(std::size_t index) const override {
     return readRecords(file(index).path, layoutOf(sensor_, file(index).stamp));
   }
 

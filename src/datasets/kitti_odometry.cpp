@@ -68,7 +68,7 @@ class KittiOdometry : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
+  PointCloud readPoints(std::size_t index) const override {
     return readKittiPoints(file(index).path, options_);
   }
 

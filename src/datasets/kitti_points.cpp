@@ -11,7 +11,7 @@ namespace revisit_slam {
 namespace {
 
 /// Turns each point towards the sensor's z axis.
-void raise(sensor_msgs::PointCloud2& cloud, double angle) {
+void raise(PointCloud& cloud, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (std::size_t i = 0; i < cloud.width; ++i) {
     std::uint8_t* data = cloud.data.data() + i * cloud.point_step;
@@ -28,9 +28,9 @@ void raise(sensor_msgs::PointCloud2& cloud, double angle) {
 
 }  // namespace
 
-sensor_msgs::PointCloud2 readKittiPoints(const std::string& path, const DatasetOptions& options) {
+PointCloud readKittiPoints(const std::string& path, const DatasetOptions& options) {
   constexpr double missing_elevation = 0.205 * 3.14159265358979323846 / 180.0;
-  sensor_msgs::PointCloud2 cloud = readRecords(path, xyzAndIntensity());
+  PointCloud cloud = readRecords(path, xyzAndIntensity());
   if (options.correct_kitti_elevation) raise(cloud, missing_elevation);
   return cloud;
 }

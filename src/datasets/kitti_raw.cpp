@@ -62,7 +62,7 @@ Scans stampedScans(const std::string& folder) {
   return scans;
 }
 
-Points pointsOf(const sensor_msgs::PointCloud2& cloud) {
+Points pointsOf(const PointCloud& cloud) {
   Points points(cloud.width);
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::memcpy(points[i].data(), &cloud.data[i * cloud.point_step], sizeof(points[i]));
@@ -71,7 +71,7 @@ Points pointsOf(const sensor_msgs::PointCloud2& cloud) {
   return points;
 }
 
-std::vector<std::uint32_t> timesByAzimuth(const sensor_msgs::PointCloud2& cloud,
+std::vector<std::uint32_t> timesByAzimuth(const PointCloud& cloud,
                                           std::int64_t duration) {
   const std::vector<float> fractions = sweepFractions(pointsOf(cloud), AzimuthSweep{});
   std::vector<std::uint32_t> times;
@@ -102,8 +102,8 @@ class KittiRaw : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
-    sensor_msgs::PointCloud2 cloud = readKittiPoints(file(index).path, options_);
+  PointCloud readPoints(std::size_t index) const override {
+    PointCloud cloud = readKittiPoints(file(index).path, options_);
     addTimes(cloud, timesByAzimuth(cloud, durations_[index]));
     return cloud;
   }

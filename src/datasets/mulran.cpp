@@ -40,8 +40,8 @@ class Mulran : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
-    sensor_msgs::PointCloud2 cloud = readRecords(file(index).path, xyzAndIntensity());
+  PointCloud readPoints(std::size_t index) const override {
+    PointCloud cloud = readRecords(file(index).path, xyzAndIntensity());
     addColumnTimes(cloud);
     return cloud;
   }

@@ -46,8 +46,8 @@ class NewerCollege : public DatasetScans {
   }
 
  private:
-  sensor_msgs::PointCloud2 readPoints(std::size_t index) const override {
-    sensor_msgs::PointCloud2 cloud = readPcd(file(index).path);
+  PointCloud readPoints(std::size_t index) const override {
+    PointCloud cloud = readPcd(file(index).path);
     if (!hasField(cloud, "t")) addColumnTimes(cloud);
     return cloud;
   }

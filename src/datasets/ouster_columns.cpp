@@ -5,10 +5,10 @@
 
 namespace revisit_slam {
 
-void addColumnTimes(sensor_msgs::PointCloud2& cloud) {
+void addColumnTimes(PointCloud& cloud) {
   constexpr std::size_t beams = 64, columns = 1024;
   constexpr std::size_t period = 100'000'000;  // ns
-  if (std::size_t{cloud.width} * cloud.height != beams * columns) return;
+  if (cloud.points() != beams * columns) return;
   std::vector<std::uint32_t> times(beams * columns);
   for (std::size_t i = 0; i < times.size(); ++i)
     times[i] = static_cast<std::uint32_t>(i / beams * period / columns);

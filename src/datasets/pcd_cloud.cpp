@@ -28,7 +28,7 @@ Bytes binaryPoints(const std::string& path, const PcdHeader& header, const Bytes
   return {file.begin() + static_cast<std::ptrdiff_t>(header.size), file.end()};
 }
 
-/// Compressed points lie field by field; a message has them point by point.
+/// Compressed points lie field by field; a cloud has them point by point.
 Bytes pointByPoint(const PcdHeader& header, const Bytes& field_by_field) {
   Bytes data(field_by_field.size());
   const std::uint8_t* from = field_by_field.data();
@@ -102,33 +102,27 @@ Bytes pointsOf(const std::string& path, const PcdHeader& header, const Bytes& fi
 
 }  // namespace
 
-sensor_msgs::PointCloud2 readPcd(const std::string& path) {
+PointCloud readPcd(const std::string& path) {
   const Bytes file = readBytes(path);
   const PcdHeader header = parsePcdHeader(path, file);
-  sensor_msgs::PointCloud2 cloud;
+  PointCloud cloud;
   cloud.data = pointsOf(path, header, file);
   cloud.width = header.width;
   cloud.height = header.height;
   cloud.point_step = header.point_step;
-  cloud.row_step = header.width * header.point_step;
   for (const PcdField& field : header.fields) {
     if (field.name == "_" || field.type == NumberType::unknown) continue;
-    sensor_msgs::PointField added;
-    added.name = field.name;
-    added.offset = field.offset;
-    added.datatype = static_cast<std::uint8_t>(field.type);
-    added.count = field.count;
-    cloud.fields.push_back(added);
+    cloud.fields.push_back({field.name, field.type, field.offset, field.count});
   }
   return cloud;
 }
 
-bool hasField(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
+bool hasField(const PointCloud& cloud, const std::string& name) {
   return std::any_of(cloud.fields.begin(), cloud.fields.end(),
                      [&](const auto& field) { return field.name == name; });
 }
 
-void dropField(sensor_msgs::PointCloud2& cloud, const std::string& name) {
+void dropField(PointCloud& cloud, const std::string& name) {
   const auto is_it = [&](const auto& field) { return field.name == name; };
   cloud.fields.erase(std::remove_if(cloud.fields.begin(), cloud.fields.end(), is_it),
                      cloud.fields.end());

@@ -13,7 +13,7 @@ enum class PcdEncoding { ascii, binary, binary_compressed };
 
 struct PcdField {
   std::string name;
-  /// `unknown` for integers of 8 bytes, which a message cannot have.
+  /// `unknown` for integers of 8 bytes, which a cloud cannot have.
   NumberType type = NumberType::unknown;
   /// Bytes of one number, and how many numbers.
   std::uint32_t size = 0, count = 1;

@@ -9,32 +9,29 @@
 namespace revisit_slam {
 namespace {
 
-void addField(sensor_msgs::PointCloud2& cloud, const RecordField& added) {
-  sensor_msgs::PointField field;
+void addField(PointCloud& cloud, const RecordField& added) {
+  PointField field;
   field.name = added.name;
+  field.type = added.type;
   field.offset = cloud.point_step;
-  field.datatype = static_cast<std::uint8_t>(added.type);
-  field.count = 1;
   cloud.fields.push_back(field);
-  cloud.point_step += static_cast<std::uint32_t>(sizeOf(added.type));
+  cloud.point_step += sizeOf(added.type);
 }
 
 }  // namespace
 
-sensor_msgs::PointCloud2 readRecords(const std::string& path, const RecordLayout& layout) {
-  sensor_msgs::PointCloud2 cloud;
+PointCloud readRecords(const std::string& path, const RecordLayout& layout) {
+  PointCloud cloud;
   for (const RecordField& field : layout) addField(cloud, field);
   cloud.data = readBytes(path);
   if (cloud.data.size() % cloud.point_step != 0)
     throw DatasetError(path, std::to_string(cloud.data.size()) + " bytes are no whole number of " +
                                  std::to_string(cloud.point_step) + "-byte points");
-  cloud.height = 1;
-  cloud.width = static_cast<std::uint32_t>(cloud.data.size() / cloud.point_step);
-  cloud.row_step = static_cast<std::uint32_t>(cloud.data.size());
+  cloud.width = cloud.data.size() / cloud.point_step;
   return cloud;
 }
 
-void addTimes(sensor_msgs::PointCloud2& cloud, const std::vector<std::uint32_t>& times) {
+void addTimes(PointCloud& cloud, const std::vector<std::uint32_t>& times) {
   const std::size_t before = cloud.point_step;
   addField(cloud, {"t", NumberType::uint32});
   std::vector<std::uint8_t> data(times.size() * cloud.point_step);
@@ -44,7 +41,6 @@ void addTimes(sensor_msgs::PointCloud2& cloud, const std::vector<std::uint32_t>&
     std::memcpy(point + before, &times[i], sizeof(times[i]));
   }
   cloud.data = std::move(data);
-  cloud.row_step = cloud.point_step * cloud.width;
 }
 
 const RecordLayout& xyzAndIntensity() {

@@ -96,7 +96,8 @@ TEST(DamagedPoints, NotANumberIsCountedAndLeftOut) {
   points[4].z() = std::numeric_limits<float>::infinity();
   writeKittiRaw(folder, simulated);
   const auto scans = openDataset("kitti-raw", folder.file("drive"));
-  const ScanReading reading = ScanReader({}).read(scans->read(0));
+  PointReader reader({});
+  const ScanReading reading = readWith(reader, scans->read(0));
   ASSERT_TRUE(reading.scan);
   EXPECT_EQ(reading.counts.not_finite, 2u);
   EXPECT_EQ(reading.counts.kept, points.size() - 2);

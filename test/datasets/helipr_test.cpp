@@ -27,10 +27,10 @@ TEST_P(HeliprSensors, AreReadWithTheirPointTimes) {
   ASSERT_EQ(scans->size(), simulated.size());
   for (std::size_t i = 0; i < simulated.size(); ++i)
     expectDeskewable(scans->read(i), simulated[i]);
-  ScanReader reader({});
-  reader.read(scans->read(0));
+  PointReader reader({});
+  readWith(reader, scans->read(0));
   EXPECT_TRUE(contains(reader.description(), GetParam().description));
-  EXPECT_EQ(scans->read(0).header.frame_id, scans->frame());
+  EXPECT_EQ(scans->read(0).frame_id, scans->frame());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -45,11 +45,11 @@ TEST(Helipr, FieldsBehindTheTimeAreInPlace) {
   const TemporaryFolder folder;
   const auto simulated = simulatedScans("spinning-64", 100);
   writeHelipr(folder, "Ouster", simulated);
-  const sensor_msgs::PointCloud2 cloud = openDataset("helipr-ouster", folder.file(""))->read(0);
+  const PointCloud cloud = openDataset("helipr-ouster", folder.file(""))->read(0);
   ASSERT_EQ(cloud.fields.size(), 8u);
-  const sensor_msgs::PointField& ring = cloud.fields[6];
+  const PointField& ring = cloud.fields[6];
   EXPECT_EQ(ring.name, "ring");
-  EXPECT_EQ(ring.datatype, sensor_msgs::PointField::UINT16);
+  EXPECT_EQ(ring.type, NumberType::uint16);
   for (std::size_t i = 0; i < simulated[0].rings.size(); ++i) {
     std::uint16_t value;
     std::memcpy(&value, &cloud.data[i * cloud.point_step + ring.offset], sizeof(value));

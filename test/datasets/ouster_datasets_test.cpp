@@ -16,7 +16,7 @@ TEST(Mulran, PointsAreTimedByTheirColumn) {
   const auto scans = openDataset("mulran", folder.file(""));
   ASSERT_EQ(scans->size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    const sensor_msgs::PointCloud2 cloud = scans->read(i);
+    const PointCloud cloud = scans->read(i);
     EXPECT_EQ(cloud.width, 64u * 1024);
     expectDeskewable(cloud, simulated[i]);
   }

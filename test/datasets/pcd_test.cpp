@@ -12,7 +12,7 @@ namespace {
 /// A dataset of one file, which can be read or the error in its place.
 class OnePcd {
  public:
-  sensor_msgs::PointCloud2 read(const ByteFile& file) const {
+  PointCloud read(const ByteFile& file) const {
     file.save(folder_.file("ouster_scan/cloud_1700000000_5.pcd"));
     return openDataset("newer-college", folder_.file(""))->read(0);
   }
@@ -34,7 +34,8 @@ TEST(Pcd, AsciiIsRead) {
   const auto cloud = OnePcd().read(
       ByteFile().text(pcdHeader("x y z ring", "4 4 4 2", "F F F U", 3, "ascii") +
                       "1 2 3 60000\nnan nan nan 4\n-5.5 6e-1 7 -1\n"));
-  const ScanReading reading = ScanReader({}).read(cloud);
+  PointReader reader({});
+  const ScanReading reading = readWith(reader, cloud);
   ASSERT_TRUE(reading.scan) << reading.detail;
   EXPECT_EQ(reading.counts.not_finite, 1u);
   ASSERT_EQ(reading.scan->points.size(), 2u);
@@ -52,7 +53,8 @@ TEST(Pcd, PaddingAndSeveralNumbersInAFieldAreSteppedOver) {
   const auto cloud = OnePcd().read(file);
   EXPECT_EQ(cloud.point_step, 19u);
   EXPECT_EQ(cloud.fields.size(), 3u);
-  const ScanReading reading = ScanReader({}).read(cloud);
+  PointReader reader({});
+  const ScanReading reading = readWith(reader, cloud);
   ASSERT_TRUE(reading.scan) << reading.detail;
   EXPECT_EQ(reading.scan->points[0], Eigen::Vector3f(1, 2, 3));
 }

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/input/point_cloud.h"
+#include "revisit_slam/input/point_reader.h"
 #include "simulation/simulation_fixtures.h"
 
 namespace revisit_slam {
@@ -25,16 +26,20 @@ inline std::vector<SimulatedScan> simulatedScans(const std::string& sensor, int 
   return scans;
 }
 
-/// The message is read as this scan, each point at its instant to `tick` seconds.
-inline void expectDeskewable(const sensor_msgs::PointCloud2& cloud, const SimulatedScan& expected,
+inline ScanReading readWith(PointReader& reader, const PointCloud& cloud) {
+  return reader.read(viewOf(cloud), {cloud.stamp, "header", {}});
+}
+
+/// The cloud is read as this scan, each point at its instant to `tick` seconds.
+inline void expectDeskewable(const PointCloud& cloud, const SimulatedScan& expected,
                              double tick = 1e-8) {
-  ScanReader reader({});
-  const ScanReading reading = reader.read(cloud);
+  PointReader reader({});
+  const ScanReading reading = readWith(reader, cloud);
   ASSERT_TRUE(reading.scan) << reading.detail;
   EXPECT_TRUE(reader.deskewing()) << reader.description();
   const Scan &read = *reading.scan, &truth = expected.scan;
   ASSERT_EQ(read.points.size(), truth.points.size());
-  EXPECT_EQ(reading.header_stamp, expected.first);
+  EXPECT_EQ(cloud.stamp, expected.first);
   EXPECT_NEAR(secondsBetween(truth.stamp, read.stamp), 0.0, tick);
   for (std::size_t i = 0; i < truth.points.size(); ++i) {
     ASSERT_EQ(read.points[i], truth.points[i]) << i;
@@ -42,11 +47,11 @@ inline void expectDeskewable(const sensor_msgs::PointCloud2& cloud, const Simula
   }
 }
 
-/// The message is read as these points, all of the instant of its stamp.
-inline void expectWithoutTimes(const sensor_msgs::PointCloud2& cloud, const Points& points,
-                               Stamp stamp, float tolerance = 0.f) {
-  ScanReader reader({});
-  const ScanReading reading = reader.read(cloud);
+/// The cloud is read as these points, all of the instant of its stamp.
+inline void expectWithoutTimes(const PointCloud& cloud, const Points& points, Stamp stamp,
+                               float tolerance = 0.f) {
+  PointReader reader({});
+  const ScanReading reading = readWith(reader, cloud);
   ASSERT_TRUE(reading.scan) << reading.detail;
   EXPECT_FALSE(reader.deskewing()) << reader.description();
   EXPECT_EQ(reading.scan->stamp, stamp);

@@ -15,6 +15,8 @@ struct PointField {
   std::string name;
   NumberType type = NumberType::unknown;
   std::size_t offset = 0;
+  /// How many numbers of that type follow each other. Only the first is ever read.
+  std::size_t count = 1;
 };
 
 /// Points in the bytes of a message, which it does not own, and where their fields are.

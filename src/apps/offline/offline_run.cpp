@@ -69,6 +69,8 @@ void OfflineRun::process(const ScanMessage& message) {
     onRejection(unreadable->reason);
   } else if (const auto* cloud = std::get_if<sensor_msgs::PointCloud2::ConstPtr>(&message)) {
     insert(reader_.read(**cloud), clock);
+  } else if (const auto* cloud = std::get_if<PointCloud>(&message)) {
+    insert(reader_.read(*cloud), clock);
   } else {
     insert(reader_.read(*std::get<topic_tools::ShapeShifter::ConstPtr>(message)), clock);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/input/point_fields.h"
 
+#include <utility>
+
 #include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
@@ -20,6 +22,25 @@ PointMessage viewOf(const sensor_msgs::PointCloud2& cloud) {
   for (const auto& field : cloud.fields) {
     view.fields.push_back({field.name, numberTypeFromPointField(field.datatype), field.offset});
   }
+  return message;
+}
+
+sensor_msgs::PointCloud2 toPointCloud2(PointCloud cloud) {
+  sensor_msgs::PointCloud2 message;
+  message.header.stamp = toRosTime(cloud.stamp);
+  message.header.frame_id = cloud.frame_id;
+  message.width = static_cast<std::uint32_t>(cloud.width);
+  message.height = static_cast<std::uint32_t>(cloud.height);
+  message.point_step = static_cast<std::uint32_t>(cloud.point_step);
+  message.row_step = message.width * message.point_step;
+  for (const PointField& field : cloud.fields) {
+    sensor_msgs::PointField& added = message.fields.emplace_back();
+    added.name = field.name;
+    added.offset = static_cast<std::uint32_t>(field.offset);
+    added.datatype = static_cast<std::uint8_t>(field.type);
+    added.count = static_cast<std::uint32_t>(field.count);
+  }
+  message.data = std::move(cloud.data);
   return message;
 }
 

@@ -63,6 +63,12 @@ ReferenceStamp referenceOf(const LivoxCustomMsg& message, const ScanInputConfig&
 ScanReader::ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor)
     : config_(config), reader_(config), T_base_sensor_(T_base_sensor) {}
 
+ScanReading ScanReader::read(const PointCloud& cloud) {
+  return withoutThrowing(ScanRejection::internal_error, [&] {
+    return readCloud({cloud.stamp, cloud.frame_id, viewOf(cloud)});
+  });
+}
+
 ScanReading ScanReader::read(const sensor_msgs::PointCloud2& cloud) {
   return withoutThrowing(ScanRejection::internal_error, [&] { return readCloud(viewOf(cloud)); });
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/input/scan_source.h"
 
-#include <boost/make_shared.hpp>
-
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/ros/input/bag_scans.h"
 
@@ -80,8 +78,7 @@ class DatasetSource : public ScanSource {
  private:
   ScanMessage read(std::size_t index) const {
     try {
-      return sensor_msgs::PointCloud2::ConstPtr(
-          boost::make_shared<sensor_msgs::PointCloud2>(scans_->read(index)));
+      return scans_->read(index);
     } catch (const DatasetError& error) {
       return UnreadableScan{error.what()};
     }

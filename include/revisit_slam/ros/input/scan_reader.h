@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/input/point_cloud.h"
 #include "revisit_slam/input/point_reader.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/input/scan_reading.h"
@@ -16,13 +17,14 @@
 
 namespace revisit_slam {
 
-/// Makes scans of the messages on one topic, in the order in which they come. No message makes it
-/// throw. Not for use by several threads at a time.
+/// Makes scans of the messages on one topic, or of the clouds of one dataset, in the order in which
+/// they come. None of them makes it throw. Not for use by several threads at a time.
 class ScanReader {
  public:
   /// Throws ParameterError on a word that is no choice.
   explicit ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor = {});
 
+  ScanReading read(const PointCloud& cloud);
   ScanReading read(const sensor_msgs::PointCloud2& cloud);
   /// PointCloud2 or the CustomMsg of either Livox driver.
   ScanReading read(const topic_tools::ShapeShifter& message);

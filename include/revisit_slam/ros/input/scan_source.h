@@ -11,16 +11,18 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <topic_tools/shape_shifter.h>
 
+#include "revisit_slam/input/point_cloud.h"
 #include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
 
-/// A message with a scan, or why there is none.
+/// Why there is no scan.
 struct UnreadableScan {
   std::string reason;
 };
+/// A recorded scan: a message of a bag, or the cloud of a dataset.
 using ScanMessage = std::variant<sensor_msgs::PointCloud2::ConstPtr,
-                                 topic_tools::ShapeShifter::ConstPtr, UnreadableScan>;
+                                 topic_tools::ShapeShifter::ConstPtr, PointCloud, UnreadableScan>;
 
 /// Recorded scans in order: of a topic in bags, or of a dataset.
 class ScanSource {

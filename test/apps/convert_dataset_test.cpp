@@ -3,7 +3,9 @@
 #include <rosbag/view.h>
 
 #include "datasets/dataset_writers.h"
+#include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/ros/input/point_fields.h"
 #include "support/child_process.h"
 #include "support/contains.h"
 
@@ -33,11 +35,14 @@ TEST(ConvertDataset, ABagWithTheScansAndTheGroundTruthBesideIt) {
   BagScans scans({bag}, "");
   EXPECT_EQ(scans.topic(), "/lidar");
   ASSERT_EQ(scans.size(), 2u);
-  std::size_t i = 0;
+  const auto dataset = openDataset("apollo", folder.file(""));
+  std::uint32_t i = 0;
   for (const rosbag::MessageInstance& instance : scans.messages()) {
-    expectWithoutTimes(*instance.instantiate<sensor_msgs::PointCloud2>(), simulated[i].scan.points,
-                       simulated[i].scan.stamp);
-    ++i;
+    const auto message = instance.instantiate<sensor_msgs::PointCloud2>();
+    sensor_msgs::PointCloud2 expected = toPointCloud2(dataset->read(i));
+    expected.header.seq = i++;
+    EXPECT_EQ(*message, expected);
+    EXPECT_EQ(instance.getTime(), expected.header.stamp);
   }
   EXPECT_EQ(readTum(folder.file("drive.gt.tum")).size(), 3u);
 }
