@@ -10,7 +10,6 @@ find_package(nlohmann_json REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
-find_package(embree 3 REQUIRED)
 find_package(TBB QUIET CONFIG)
 if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   find_library(TBB_LIBRARY tbb REQUIRED)
@@ -37,11 +36,6 @@ set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
   PRIVATE ${SYSTEM_BLAS} opencv_imgproc opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
-
-file(GLOB simulation_sources CONFIGURE_DEPENDS src/simulation/*.cpp)
-add_library(revisit_slam_simulation STATIC ${simulation_sources})
-revisit_slam_target_options(revisit_slam_simulation)
-target_link_libraries(revisit_slam_simulation PUBLIC revisit_slam_core embree)
 
 add_custom_target(core_without_ros ALL
   COMMAND ${CMAKE_COMMAND} "-DFOLDERS=${REVISIT_SLAM_CORE_FOLDERS};simulation"

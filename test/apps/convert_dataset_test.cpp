@@ -3,6 +3,7 @@
 #include <rosbag/view.h>
 
 #include "datasets/dataset_writers.h"
+#include "datasets/simulated_scans.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/point_fields.h"

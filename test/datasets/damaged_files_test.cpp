@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "datasets/dataset_writers.h"
+#include "datasets/simulated_scans.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "support/contains.h"
 

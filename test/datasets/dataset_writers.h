@@ -2,11 +2,9 @@
 // Folders in the exact layout of each dataset. Each writer returns the paths of the scans.
 #pragma once
 
-#include <pcl/io/lzf.h>
-
 #include <cstdio>
 
-#include "datasets/byte_file.h"
+#include "datasets/pcd_file.h"
 #include "datasets/simulated_scans.h"
 #include "revisit_slam/io/trajectory.h"
 #include "support/temporary_folder.h"
@@ -79,15 +77,6 @@ inline Paths writeMulran(const TemporaryFolder& folder, const std::vector<Simula
   return paths;
 }
 
-inline std::string pcdHeader(const std::string& fields, const std::string& sizes,
-                             const std::string& types, std::size_t points,
-                             const std::string& encoding) {
-  const std::string count = std::to_string(points);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS " + fields + "\nSIZE " +
-         sizes + "\nTYPE " + types + "\nWIDTH " + count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n" +
-         "POINTS " + count + "\nDATA " + encoding + "\n";
-}
-
 inline Paths writeNewerCollege(const TemporaryFolder& folder,
                                const std::vector<SimulatedScan>& scans) {
   Paths paths;
@@ -123,14 +112,7 @@ inline ByteFile apolloBytes(const SimulatedScan& scan) {
     for (const Eigen::Vector3f& point : scan.scan.points) put(point[axis]);
   for (std::size_t i = 0; i < count; ++i) put(std::uint8_t{9});
   for (const std::uint32_t ns : scan.nanoseconds) put(scan.first.toSeconds() + ns * 1e-9);
-  std::string packed(body.size() * 2, '\0');
-  packed.resize(pcl::lzfCompress(body.data(), static_cast<unsigned>(body.size()), &packed[0],
-                                 static_cast<unsigned>(packed.size())));
-  ByteFile file;
-  file.text(pcdHeader("x y z intensity timestamp", "4 4 4 1 8", "F F F U F", count,
-                      "binary_compressed"));
-  file.put(static_cast<std::uint32_t>(packed.size()));
-  return file.put(static_cast<std::uint32_t>(body.size())).text(packed);
+  return compressedPcd("x y z intensity timestamp", "4 4 4 1 8", "F F F U F", count, body);
 }
 
 /// Scans 1, 2, … (not padded with zeros), at x = 1, 2, … metres.

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "datasets/dataset_writers.h"
+#include "datasets/simulated_scans.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "support/contains.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "datasets/dataset_writers.h"
+#include "datasets/simulated_scans.h"
 #include "revisit_slam/datasets/open_dataset.h"
 
 namespace revisit_slam {
