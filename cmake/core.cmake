@@ -7,6 +7,7 @@ find_package(Ceres REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(octomap REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
@@ -28,14 +29,15 @@ endforeach()
 add_library(revisit_slam_core STATIC ${core_sources})
 revisit_slam_target_options(revisit_slam_core)
 target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
-target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS})
+target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS})
 target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")
 # The BLAS that is found first factorises. Debian's Ceres brings ATLAS; the system's choice, OpenBLAS where
 # it is installed, comes before it and is faster. As one flag, as CMake moves libraries.
 set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
-  PRIVATE ${SYSTEM_BLAS} opencv_imgproc opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
+  PRIVATE ${SYSTEM_BLAS} opencv_imgproc opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
+          ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
 
 add_custom_target(core_without_ros ALL
   COMMAND ${CMAKE_COMMAND} "-DFOLDERS=${REVISIT_SLAM_CORE_FOLDERS};simulation"

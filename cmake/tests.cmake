@@ -28,9 +28,6 @@ endfunction()
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS} simulation)
   revisit_slam_gtest(${folder} revisit_slam_core)
 endforeach()
-find_package(octomap REQUIRED)  # what we write is compared with what it writes
-target_include_directories(io_test SYSTEM PRIVATE ${OCTOMAP_INCLUDE_DIRS})
-target_link_libraries(io_test ${OCTOMAP_LIBRARIES})
 revisit_slam_gtest(ros revisit_slam_ros)
 revisit_slam_gtest(apps revisit_slam_ros nlohmann_json::nlohmann_json)
 target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TARGET_FILE:convert_dataset>"
