@@ -22,6 +22,15 @@ target_link_libraries(revisit_slam_ros PUBLIC revisit_slam_core ${catkin_LIBRARI
 add_dependencies(revisit_slam_ros ${catkin_EXPORTED_TARGETS} ${PROJECT_NAME}_gencfg
                  ${PROJECT_NAME}_generate_messages_cpp)
 
+# With octomap_msgs (Debian has no package of it) the occupancy is published as an octree too.
+find_package(octomap_msgs QUIET)
+if(octomap_msgs_FOUND)
+  target_compile_definitions(revisit_slam_ros PUBLIC REVISIT_SLAM_OCTOMAP_MSGS)
+  target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${octomap_msgs_INCLUDE_DIRS})
+else()
+  message(STATUS "Without the topic `octomap`: no octomap_msgs was found")
+endif()
+
 file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
 add_library(revisit_slam_nodelets SHARED ${nodelet_sources})
 revisit_slam_target_options(revisit_slam_nodelets)

@@ -4,6 +4,11 @@
 #include <algorithm>
 
 #include "revisit_slam/ros/messages/pose_conversions.h"
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+#include <octomap_msgs/conversions.h>
+
+#include "revisit_slam/occupancy/octree.h"
+#endif
 
 namespace revisit_slam {
 namespace {
@@ -58,5 +63,15 @@ visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyMap& map, Stamp st
   if (marker.points.empty()) marker.action = marker.DELETE;
   return array;
 }
+
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+octomap_msgs::Octomap toOctomap(const OccupancyMap& map, Stamp stamp, const std::string& frame) {
+  octomap_msgs::Octomap message;
+  message.header.stamp = toRosTime(stamp);
+  message.header.frame_id = frame;
+  octomap_msgs::binaryMapToMsg(*octreeOf(map), message);
+  return message;
+}
+#endif
 
 }  // namespace revisit_slam

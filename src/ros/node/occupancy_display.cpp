@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/occupancy_display.h"
 
+#include <stdexcept>
+
 #include "revisit_slam/ros/messages/occupancy_messages.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 
@@ -21,17 +23,33 @@ OccupancyDisplay::OccupancyDisplay(ros::NodeHandle& node, const std::string& fra
   cells_ = node.advertise<Cloud>("occupied_cells", 1, connected, none, untracked, latch);
   voxels_ = node.advertise<Markers>("occupied_voxels", 1, connected, none, untracked, latch);
   grid_ = node.advertise<Grid>("projected_map", 1, connected, none, untracked, latch);
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+  using Octomap = octomap_msgs::Octomap;
+  octomap_ = node.advertise<Octomap>("octomap", 1, connected, none, untracked, latch);
+#endif
 }
 
 void OccupancyDisplay::draw(const GraphSession& session) {
   const bool cells = cells_.getNumSubscribers() > 0, voxels = voxels_.getNumSubscribers() > 0;
-  const bool grid = grid_.getNumSubscribers() > 0;
-  if (!config_.enabled || session.graph().size() == 0 || !(cells || voxels || grid)) return;
+  const bool grid = grid_.getNumSubscribers() > 0, octomap = octomap_.getNumSubscribers() > 0;
+  const bool wanted = config_.enabled && (cells || voxels || grid || octomap);
+  if (!wanted || session.graph().size() == 0) return;
   place(session);
   const Stamp stamp = session.graph().nodes().back().stamp;
   if (cells) cells_.publish(toPointCloud(occupiedCentres(map_), stamp, frame_));
   if (voxels) voxels_.publish(toVoxelMarkers(map_, stamp, frame_));
   if (grid) grid_.publish(toOccupancyGrid(projectedGrid(map_, config_.grid), stamp, frame_));
+  if (octomap) publishOctomap(stamp);
+}
+
+void OccupancyDisplay::publishOctomap([[maybe_unused]] Stamp stamp) {
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+  try {
+    octomap_.publish(toOctomap(map_, stamp, frame_));
+  } catch (const std::runtime_error& error) {
+    ROS_WARN_STREAM_ONCE("no octree is published: " << error.what());
+  }
+#endif
 }
 
 void OccupancyDisplay::place(const GraphSession& session) {

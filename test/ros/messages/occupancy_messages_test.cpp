@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "revisit_slam/occupancy/occupancy_builder.h"
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+#include <octomap_msgs/conversions.h>
+
+#include "revisit_slam/occupancy/octree.h"
+#endif
 
 namespace revisit_slam {
 namespace {
@@ -51,6 +56,20 @@ TEST(OccupancyMessages, TheGridKeepsItsLayout) {
   EXPECT_EQ(message.info.origin.position.y, 4.5);
   EXPECT_EQ(message.data, grid.cells);
 }
+
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+TEST(OccupancyMessages, TheOctreeIsReadAsItIsInMemory) {
+  const OccupancyMap map = mapOfWall({});
+  const octomap_msgs::Octomap message = toOctomap(map, Stamp::fromSeconds(12.5), "map");
+  EXPECT_EQ(message.header.frame_id, "map");
+  EXPECT_EQ(message.header.stamp, ros::Time(12, 500000000));
+  const std::unique_ptr<octomap::AbstractOcTree> tree(octomap_msgs::msgToMap(message));
+  const auto* read = dynamic_cast<const octomap::OcTree*>(tree.get());
+  ASSERT_NE(read, nullptr);
+  EXPECT_GT(read->size(), 20u);
+  EXPECT_TRUE(*read == *octreeOf(map));
+}
+#endif
 
 }  // namespace
 }  // namespace revisit_slam

@@ -3,6 +3,9 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <visualization_msgs/MarkerArray.h>
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+#include <octomap_msgs/Octomap.h>
+#endif
 
 #include <string>
 
@@ -18,5 +21,10 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const ProjectedGrid& grid, Stamp stamp,
 /// Cubes for the occupied voxels, coloured by height; one marker, which replaces the one before.
 visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyMap& map, Stamp stamp,
                                                const std::string& frame);
+
+#ifdef REVISIT_SLAM_OCTOMAP_MSGS
+/// A binary octree, as `map.bt` has it. @throws std::runtime_error as octreeOf() does.
+octomap_msgs::Octomap toOctomap(const OccupancyMap& map, Stamp stamp, const std::string& frame);
+#endif
 
 }  // namespace revisit_slam

@@ -25,11 +25,13 @@ class OccupancyDisplay {
 
  private:
   void place(const GraphSession& session);
+  void publishOctomap(Stamp stamp);
 
   std::string frame_;
   OccupancyConfig config_;
   OccupancyMap map_;
   ros::Publisher cells_, voxels_, grid_;
+  ros::Publisher octomap_;  // of nothing without octomap_msgs
 };
 
 }  // namespace revisit_slam
