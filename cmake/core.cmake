@@ -4,7 +4,7 @@
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(PCL REQUIRED COMPONENTS common io)
 find_package(Ceres REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d)
+find_package(OpenCV REQUIRED COMPONENTS core features2d)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(octomap REQUIRED)
@@ -36,7 +36,7 @@ target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PRO
 set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
-  PRIVATE ${SYSTEM_BLAS} opencv_imgproc opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
+  PRIVATE ${SYSTEM_BLAS} opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
           ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
 
 add_custom_target(core_without_ros ALL

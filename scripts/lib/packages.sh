@@ -8,9 +8,9 @@ BUILD_PACKAGES=(
   libsensor-msgs-dev libnav-msgs-dev libvisualization-msgs-dev libdiagnostic-msgs-dev libstd-srvs-dev
   libroscpp-dev libnodeletlib-dev pluginlib-dev libtf2-ros-dev libtf2-msgs-dev librosbag-dev
   libtopic-tools-dev
-  libpcl-dev libpcl-conversions-dev libpcl-ros-dev
+  libpcl-dev
   libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
-  libceres-dev libsuitesparse-dev liboctomap-dev libopencv-dev
+  libceres-dev liboctomap-dev libopencv-dev
   libtbb-dev robin-map-dev libembree-dev libcli11-dev libyaml-cpp-dev
   nlohmann-json3-dev libopenblas0-serial
 )
