@@ -8,6 +8,7 @@
 #include "benchmark_loops/loop_report.h"
 #include "revisit_slam/io/pcd.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/slam/renamed_parameters.h"
 
 namespace revisit_slam {
 namespace {
@@ -23,12 +24,9 @@ struct Options {
 SlamConfig readConfig(const Options& options) {
   SlamConfig config;
   const std::vector<Parameter> parameters = parametersOf(config);
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw ParameterError("--set " + setting + " is not of the form key=value");
-    assign(parameters, {{setting.substr(0, equals), setting.substr(equals + 1)}});
-  }
+  for (const std::string& warning :
+       assign(parameters, parseSettings(options.settings), kRenamedParameters))
+    std::cerr << "benchmark_loops: " << warning << "\n";
   for (const char* threads : {"odometry/threads", "background/threads", "backend/threads"})
     assign(parameters, {{threads, std::to_string(options.threads)}});
   return config;

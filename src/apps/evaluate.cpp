@@ -62,12 +62,7 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->check(CLI::Range(1, 64));
   app.add_flag("--quiet", options.quiet, "no progress");
   app.parse(argc, argv);
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw ParameterError("--set " + setting + " is not of the form key=value");
-    assign(parametersOf(options.config), {{setting.substr(0, equals), setting.substr(equals + 1)}});
-  }
+  assign(parametersOf(options.config), parseSettings(options.settings));
   return options;
 }
 

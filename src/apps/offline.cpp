@@ -6,6 +6,7 @@
 #include "offline/offline_run.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/parameter_file.h"
+#include "revisit_slam/slam/renamed_parameters.h"
 #include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
@@ -23,14 +24,12 @@ struct Options {
 SlamConfig readConfig(const Options& options) {
   SlamConfig config;
   const std::vector<Parameter> parameters = parametersOf(config);
-  if (!options.parameter_file.empty())
-    assign(parameters, readParameterFile(options.parameter_file));
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw ParameterError("--set " + setting + " is not of the form key=value");
-    assign(parameters, {{setting.substr(0, equals), setting.substr(equals + 1)}});
-  }
+  const auto assignAll = [&](const std::vector<NamedText>& values) {
+    for (const std::string& warning : assign(parameters, values, kRenamedParameters))
+      std::cerr << "offline: " << warning << "\n";
+  };
+  if (!options.parameter_file.empty()) assignAll(readParameterFile(options.parameter_file));
+  assignAll(parseSettings(options.settings));
   if (options.threads > 0)
     for (const char* threads : {"odometry/threads", "background/threads", "backend/threads"})
       assign(parameters, {{threads, std::to_string(options.threads)}});

@@ -34,15 +34,22 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-std::string lastPart(const std::string& name) { return name.substr(name.rfind('/') + 1); }
+std::string lastPart(const std::string& name) {
+  return name.substr(name.rfind('/') + 1);
+}
+
+bool isGiven(const std::vector<NamedText>& values, const std::string& name) {
+  return std::any_of(values.begin(), values.end(),
+                     [&](const NamedText& value) { return value.first == name; });
+}
 
 const Parameter& find(const std::vector<Parameter>& parameters, const std::string& name) {
   const Parameter* nearest = nullptr;
   std::size_t smallest = std::string::npos;
   for (const Parameter& parameter : parameters) {
     if (parameter.name == name) return parameter;
-    const std::size_t distance = std::min(editDistance(parameter.name, name),
-                                          editDistance(lastPart(parameter.name), name));
+    const std::size_t distance =
+        std::min(editDistance(parameter.name, name), editDistance(lastPart(parameter.name), name));
     if (distance < smallest) {
       smallest = distance;
       nearest = &parameter;
@@ -154,9 +161,39 @@ void assign(const std::vector<Parameter>& parameters, const std::vector<NamedTex
   }
 }
 
+std::vector<std::string> assign(const std::vector<Parameter>& parameters,
+                                const std::vector<NamedText>& values,
+                                const RenamedParameters& renamed) {
+  std::vector<std::string> warnings;
+  std::vector<NamedText> with_new_names = values;
+  for (const auto& [old_name, new_name] : renamed) {
+    if (!isGiven(values, old_name)) continue;
+    const std::string renaming = "parameter '" + old_name + "' is now called '" + new_name + "'";
+    if (isGiven(values, new_name))
+      throw ParameterError(renaming + "; give one of the two, not both");
+    for (NamedText& value : with_new_names)
+      if (value.first == old_name) value.first = new_name;
+    warnings.push_back(renaming + "; the old name is accepted until the next release");
+  }
+  assign(parameters, with_new_names);
+  return warnings;
+}
+
+std::vector<NamedText> parseSettings(const std::vector<std::string>& settings) {
+  std::vector<NamedText> values;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw ParameterError("--set " + setting + " is not of the form key=value");
+    values.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  return values;
+}
+
 void check(const std::vector<Parameter>& parameters) {
   for (const Parameter& parameter : parameters) {
-    const bool ok = std::visit([&](auto* value) { return allowed(parameter, *value); }, parameter.value);
+    const bool ok =
+        std::visit([&](auto* value) { return allowed(parameter, *value); }, parameter.value);
     if (!ok) refuse(parameter, valueText(parameter), allowedText(parameter));
   }
 }
@@ -172,7 +209,8 @@ std::string allowedText(const Parameter& parameter) {
   if (std::holds_alternative<bool*>(parameter.value)) return "true | false";
   if (std::holds_alternative<std::string*>(parameter.value)) {
     std::string text;
-    for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : " | ") + choice;
+    for (const std::string& choice : parameter.choices)
+      text += (text.empty() ? "" : " | ") + choice;
     return text.empty() ? "any text" : text;
   }
   const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;

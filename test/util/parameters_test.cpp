@@ -115,6 +115,50 @@ TEST(Parameters, RangesAreClosed) {
     EXPECT_EQ(messageOf(value), "accepted") << value.first << value.second;
 }
 
+const RenamedParameters kRenamed{{"inner/width", "inner/size"}, {"amount", "count"}};
+
+std::string messageWithOldNames(const std::vector<NamedText>& values) {
+  Outer config;
+  try {
+    const auto warnings = assign(parametersOf(config), values, kRenamed);
+    return std::to_string(warnings.size()) + " warnings";
+  } catch (const ParameterError& error) {
+    return error.what();
+  }
+}
+
+TEST(Parameters, AnOldNameIsAcceptedWithAWarning) {
+  Outer config;
+  const auto warnings = assign(
+      parametersOf(config), {{"inner/width", "3"}, {"flag", "true"}, {"amount", "7"}}, kRenamed);
+  EXPECT_EQ(config.inner.size, 3.0);
+  EXPECT_EQ(config.count, 7);
+  EXPECT_TRUE(config.flag);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0],
+            "parameter 'inner/width' is now called 'inner/size'; the old name is accepted until the "
+            "next release");
+  EXPECT_EQ(messageWithOldNames({{"inner/size", "3"}}), "0 warnings");
+}
+
+TEST(Parameters, AnOldNameAndItsNewOneTogetherAreAnError) {
+  EXPECT_EQ(messageWithOldNames({{"count", "2"}, {"amount", "2"}}),
+            "parameter 'amount' is now called 'count'; give one of the two, not both");
+}
+
+TEST(Parameters, ValuesUnderAnOldNameAreCheckedAndOtherNamesAreUnknown) {
+  EXPECT_EQ(messageWithOldNames({{"amount", "11"}}),
+            "parameter 'count' is '11', but must be 1 to 10 scans");
+  EXPECT_EQ(messageWithOldNames({{"inner/sise", "1"}}),
+            "unknown parameter 'inner/sise'; did you mean 'inner/size'?");
+}
+
+TEST(Parameters, SettingsAreNamesAndValues) {
+  EXPECT_EQ(parseSettings({"inner/size=2", "topic=a=b", "topic="}),
+            (std::vector<NamedText>{{"inner/size", "2"}, {"topic", "a=b"}, {"topic", ""}}));
+  EXPECT_THROW(parseSettings({"flag"}), ParameterError);
+}
+
 TEST(Parameters, ValuesSetByTheProgramAreCheckedToo) {
   Outer config;
   EXPECT_NO_THROW(check(parametersOf(config)));

@@ -88,6 +88,18 @@ using NamedText = std::pair<std::string, std::string>;
 /// type, out of range or not among the choices.
 void assign(const std::vector<Parameter>& parameters, const std::vector<NamedText>& values);
 
+/// Old names of parameters that are accepted for one release: the old one, then the new one.
+using RenamedParameters = std::vector<std::pair<std::string, std::string>>;
+
+/// The same, with old names accepted. @return a warning for each old name used, naming the new one.
+/// @throws ParameterError also where an old name and its new one are both given.
+[[nodiscard]] std::vector<std::string> assign(const std::vector<Parameter>& parameters,
+                                              const std::vector<NamedText>& values,
+                                              const RenamedParameters& renamed);
+
+/// Settings of a command line, each "group/name=value". @throws ParameterError for any other form.
+std::vector<NamedText> parseSettings(const std::vector<std::string>& settings);
+
 /// Checks all values. @throws ParameterError for the first that is not allowed.
 void check(const std::vector<Parameter>& parameters);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 
+#include <string>
 #include <vector>
 
 #include "revisit_slam/util/parameters.h"
+#include "revisit_slam/slam/renamed_parameters.h"
 
 namespace revisit_slam {
 
@@ -13,11 +16,13 @@ namespace revisit_slam {
 /// @throws ParameterError for a list.
 std::vector<NamedText> readParameterServer(const ros::NodeHandle& node);
 
-/// A struct of parameters as the server has it. @throws ParameterError (see assign)
+/// A struct of parameters as the server has it; warns of old names. @throws ParameterError (see assign)
 template <typename Config>
 Config loadConfig(const ros::NodeHandle& node) {
   Config config;
-  assign(parametersOf(config), readParameterServer(node));
+  for (const std::string& warning :
+       assign(parametersOf(config), readParameterServer(node), kRenamedParameters))
+    ROS_WARN("%s", warning.c_str());
   return config;
 }
 
