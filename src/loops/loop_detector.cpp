@@ -97,11 +97,11 @@ bool LoopDetector::searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult&
 }
 
 /// What is not closed now may be once the graph has moved it: it does not count as tried.
-LoopSearchResult LoopDetector::searchInReach() {
+LoopSearchResult LoopDetector::searchLowDriftWindow() {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   StageClock clock;
   const std::vector<Pose> T_map_scan = placeScans();
-  close(retroactive_.searchInReach(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan,
+  close(retroactive_.searchLowDriftWindow(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan,
         result);
   clock.stage("retroactive");
   result.times = clock.times();

@@ -28,12 +28,12 @@ void SubmapBuilder::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
   drive_.go(T_odom_base);
   if (empty()) {
     submap_.first_scan = id;
-    submap_.way_begin = drive_.pathLength();
+    submap_.travelled_begin = drive_.pathLength();
     submap_.T_odom_submap = T_odom_base;
     travel_.start(T_odom_base);
   }
   travel_.go(T_odom_base);
-  submap_.way_end = drive_.pathLength();
+  submap_.travelled_end = drive_.pathLength();
   const Pose T_submap_scan =
       empty() ? Pose::identity() : submap_.T_odom_submap.inverse() * T_odom_base;
   submap_.T_submap_scan.push_back(T_submap_scan);

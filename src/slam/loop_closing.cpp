@@ -56,12 +56,12 @@ void LoopClosing::begin(const LocalMapPtr& map) {
   const LoopSearchResult result = detector_.searchByAppearance(map);
   const bool is_closed = !result.accepted().empty();
   hand(result, [this] { searchAfterAnswer(); });
-  if (!is_closed) hand(detector_.searchInReach(), [] {});
+  if (!is_closed) hand(detector_.searchLowDriftWindow(), [] {});
 }
 
 /// What the graph has rejected is no closure.
 void LoopClosing::searchAfterAnswer() {
-  hand(detector_.newestIsClosed() ? detector_.searchRetroactively() : detector_.searchInReach(),
+  hand(detector_.newestIsClosed() ? detector_.searchRetroactively() : detector_.searchLowDriftWindow(),
        [] {});
 }
 

@@ -31,6 +31,13 @@ TEST(OfflineParameters, settingWithoutValueIsRefused) {
   expectRefused("odometry/deskew", {"key=value"});
 }
 
+TEST(OfflineParameters, oldNameIsAcceptedWithAWarning) {
+  expectRefused("loops/agreement/rotation=2",  // refused for the bag alone
+                {"offline: parameter 'loops/agreement/rotation' is now called "
+                 "'loops/consistency/rotation'",
+                 "unread.bag"});
+}
+
 TEST(OfflineParameters, fileIsNamedWhenItCannotBeRead) {
   const OfflineProgram run("unread.bag", {"--params", "/nowhere/parameters.yaml"});
   EXPECT_EQ(run.status, 1);

@@ -49,8 +49,8 @@ TEST(MapHierarchy, SplitsByDisplacement) {
 
 TEST(MapHierarchy, SubmapsKnowHowFarTheOdometryHadCome) {
   for (const SubmapPtr& submap : mapsOf(straight(230)).submaps) {
-    EXPECT_NEAR(submap->way_begin, submap->first_scan.value, 1e-9);
-    EXPECT_NEAR(submap->way_end, submap->lastScan().value, 1e-9);
+    EXPECT_NEAR(submap->travelled_begin, submap->first_scan.value, 1e-9);
+    EXPECT_NEAR(submap->travelled_end, submap->lastScan().value, 1e-9);
   }
 }
 

@@ -129,12 +129,12 @@ TEST(Slam, CorrectionsAreNumberedAndConsistent) {
   EXPECT_LT((T_map_scan.translation - last.T_map_scan.back().translation).norm(), 1e-9);
 }
 
-TEST(Slam, WithoutAppearanceLoopsAreClosedWithinTheReachOfTheOdometry) {
+TEST(Slam, WithoutAppearanceLoopsAreClosedInTheLowDriftWindow) {
   SlamConfig config;
   config.loops.recognition.min_inliers = 500;
-  config.retroactive.odometry_reach = 0.0;
+  config.retroactive.low_drift_window = 0.0;
   EXPECT_TRUE(SlamRun(config).graph().loops().empty());
-  config.retroactive.odometry_reach = 1000.0;
+  config.retroactive.low_drift_window = 1000.0;
   const SlamRun run(config);
   ASSERT_FALSE(run.graph().loops().empty());
   for (const LoopEdge& edge : run.graph().loops())

@@ -41,7 +41,7 @@ class LoopDetector {
 
   /// Where appearance closed no loop: the newest map and those so little of the way back that the odometry
   /// alone places them.
-  LoopSearchResult searchInReach();
+  LoopSearchResult searchLowDriftWindow();
 
   /// Where the graph has the scans, and which loops it has taken.
   void correct(const MapCorrectionPtr& correction);

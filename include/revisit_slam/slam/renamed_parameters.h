@@ -6,7 +6,16 @@
 namespace revisit_slam {
 
 /// Parameters of SlamConfig that had another name in the release before: the old name, the new one.
-/// A pair is removed one release later.
-inline const RenamedParameters kRenamedParameters{};
+/// A pair is removed one release later. Not for parameters in cfg/: dynamic_reconfigure reads those
+/// from the server itself, by their new names alone.
+inline const RenamedParameters kRenamedParameters{
+    {"loops/agreement/rotation", "loops/consistency/rotation"},
+    {"loops/agreement/rotation_drift", "loops/consistency/rotation_drift"},
+    {"loops/agreement/translation", "loops/consistency/translation"},
+    {"loops/agreement/translation_drift", "loops/consistency/translation_drift"},
+    {"loops/association/min_way", "loops/association/min_travelled"},
+    {"retroactive/association/min_way", "retroactive/association/min_travelled"},
+    {"retroactive/odometry_reach", "retroactive/low_drift_window"},
+};
 
 }  // namespace revisit_slam

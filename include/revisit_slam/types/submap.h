@@ -17,8 +17,8 @@ struct Submap {
   SubmapId id;
   LocalMapId local_map;
   ScanId first_scan;
-  /// m, how far the odometry had come at the first and at the last scan.
-  double way_begin = 0.0, way_end = 0.0;
+  /// Travelled distance of the odometry at the first and at the last scan, m.
+  double travelled_begin = 0.0, travelled_end = 0.0;
   /// Keypose as the odometry had it.
   Pose T_odom_submap;
   /// Gamma_k: one pose for each scan from first_scan on, without gaps; the first is the identity.

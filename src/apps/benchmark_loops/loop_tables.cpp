@@ -121,7 +121,7 @@ std::string constraintTable(const Constraints& constraints) {
 std::string outcomeTable(const Constraints& constraints) {
   std::string text = "| outcome | appearance: right, wrong | retroactive: right, wrong |\n";
   text += "|---|---|---|\n";
-  for (int i = 0; i <= static_cast<int>(LoopOutcome::disagreement); ++i) {
+  for (int i = 0; i <= static_cast<int>(LoopOutcome::inconsistent); ++i) {
     const auto outcome = static_cast<LoopOutcome>(i);
     const auto count = [&](LoopOrigin origin, bool right) {
       return countIf(constraints, [&](const JudgedConstraint& c) {

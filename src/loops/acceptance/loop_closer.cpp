@@ -11,9 +11,9 @@ constexpr double kDegrees = 180.0 / M_PI;
 /// A pair that no other pair confirms may turn from its guess by this part of the limit only.
 constexpr double kUnconfirmedRotation = 1.0 / 3.0;
 
-/// The graph has taken the drift out of where it placed submaps: registrations that start from there
-/// may not differ by it once more.
-AgreementConfig agreementFor(LoopOrigin origin, AgreementConfig config) {
+/// The graph has taken the drift out of where it placed submaps: registrations that start from
+/// there may not differ by it once more.
+PairwiseConsistencyConfig consistencyFor(LoopOrigin origin, PairwiseConsistencyConfig config) {
   if (origin == LoopOrigin::retroactive) config.translation_drift = config.rotation_drift = 0.0;
   return config;
 }
@@ -22,7 +22,7 @@ AgreementConfig agreementFor(LoopOrigin origin, AgreementConfig config) {
 bool isFarForOneAlone(const LoopProposal& proposal, const LoopCloserConfig& config) {
   if (proposal.moved_rotation > kUnconfirmedRotation * config.max_rotation) return true;
   return proposal.loop.origin == LoopOrigin::retroactive &&
-         proposal.moved_translation > config.agreement.translation;
+         proposal.moved_translation > config.consistency.translation;
 }
 
 /// Found by place alone, and no other registration confirms it: then it has to be halfway between
@@ -78,8 +78,8 @@ const char* toString(LoopOutcome outcome) {
       return "incoherent";
     case LoopOutcome::far_from_guess:
       return "far from the guess";
-    case LoopOutcome::disagreement:
-      return "disagreement";
+    case LoopOutcome::inconsistent:
+      return "inconsistent";
   }
   return "unknown";
 }
@@ -181,9 +181,9 @@ void LoopCloser::dropContradictions(const std::vector<SubmapPair>& pairs,
   // For a place that was recognised its appearance speaks too, whatever the other walls do.
   const std::size_t others = origin == LoopOrigin::retroactive ? incoherent : 0;
   const std::vector<bool> belongs =
-      majority(registered, others, agreementFor(origin, config_.agreement));
+      majority(registered, others, consistencyFor(origin, config_.consistency));
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!belongs[i]) proposals[candidates[i]].outcome = LoopOutcome::disagreement;
+    if (!belongs[i]) proposals[candidates[i]].outcome = LoopOutcome::inconsistent;
 }
 
 }  // namespace revisit_slam

@@ -7,7 +7,7 @@
 namespace revisit_slam {
 namespace {
 
-/// Lengths of ways are sums that round; leaps are shorter by this, metres.
+/// Travelled distances are sums that round; leaps are shorter by this, metres.
 constexpr double kRounding = 1e-6;
 
 /// max over a of min over b, at least `largest`.
@@ -24,16 +24,17 @@ double directedDistance(const Path& a, const Path& b, double largest, double lim
 }  // namespace
 
 Path::Path(std::vector<Eigen::Vector3d> positions) : positions_(std::move(positions)) {
-  way_.resize(positions_.size(), 0.0);
+  travelled_.resize(positions_.size(), 0.0);
   for (std::size_t i = 1; i < positions_.size(); ++i)
-    way_[i] = way_[i - 1] + (positions_[i] - positions_[i - 1]).norm();
+    travelled_[i] = travelled_[i - 1] + (positions_[i] - positions_[i - 1]).norm();
 }
 
 std::size_t Path::leap(std::size_t index, double distance) const {
-  const auto next = way_.begin() + static_cast<std::ptrdiff_t>(index) + 1;
+  const auto next = travelled_.begin() + static_cast<std::ptrdiff_t>(index) + 1;
   if (distance <= kRounding) return index + 1;
   return static_cast<std::size_t>(
-      std::upper_bound(next, way_.end(), way_[index] + distance - kRounding) - way_.begin());
+      std::upper_bound(next, travelled_.end(), travelled_[index] + distance - kRounding) -
+      travelled_.begin());
 }
 
 double Path::distanceTo(const Eigen::Vector3d& p, double enough) const {

@@ -27,8 +27,8 @@ bool isBetter(const SubmapPair& a, const SubmapPair& b) {
 
 }  // namespace
 
-double wayBetween(const Submap& later, const Submap& earlier) {
-  return later.way_begin - earlier.way_end;
+double travelledBetween(const Submap& later, const Submap& earlier) {
+  return later.travelled_begin - earlier.travelled_end;
 }
 
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local) {
@@ -57,7 +57,7 @@ std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::optional<SubmapPair> best;
     for (std::size_t r = 0; r < targets.size(); ++r) {
-      if (wayBetween(*sources[k].submap, *targets[r].submap) < config.min_way) continue;
+      if (travelledBetween(*sources[k].submap, *targets[r].submap) < config.min_travelled) continue;
       const double d = hausdorffDistance(source_paths[k], target_paths[r], config.max_hausdorff);
       if (d > config.max_hausdorff || !comeWithin(source_paths[k], target_paths[r], config.max_gap))
         continue;

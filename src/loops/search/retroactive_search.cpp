@@ -54,16 +54,17 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::search(
   return candidates;
 }
 
-std::vector<RetroactiveCandidate> RetroactiveSearch::searchInReach(
+std::vector<RetroactiveCandidate> RetroactiveSearch::searchLowDriftWindow(
     const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
     const std::set<LocalMapPair>& closed) const {
-  if (n.value == 0 || config_.odometry_reach <= 0.0) return {};
+  if (n.value == 0 || config_.low_drift_window <= 0.0) return {};
   std::vector<RetroactiveCandidate> candidates =
       search(maps, T_map_scan, LocalMapId{n.value - 1, n.session}, n, closed);
   const auto is_too_far_back = [&](const RetroactiveCandidate& candidate) {
     const LocalMap &later = *maps[candidate.maps.first.value],
                    &earlier = *maps[candidate.maps.second.value];
-    return wayBetween(*later.submaps.front(), *earlier.submaps.back()) > config_.odometry_reach;
+    return travelledBetween(*later.submaps.front(), *earlier.submaps.back()) >
+           config_.low_drift_window;
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_too_far_back),
                    candidates.end());
@@ -74,11 +75,12 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::searchInReach(
 bool RetroactiveSearch::meetAgain(const LocalMap& later, const LocalMap& earlier,
                                   const std::vector<Pose>& T_map_scan) const {
   const AssociationConfig& limits = config_.association;
-  if (wayBetween(*later.submaps.front(), *earlier.submaps.back()) >= limits.min_way) return true;
+  if (travelledBetween(*later.submaps.front(), *earlier.submaps.back()) >= limits.min_travelled)
+    return true;
   const std::vector<PlacedSubmap> targets = placeByGraph(earlier, T_map_scan);
   for (const PlacedSubmap& source : placeByGraph(later, T_map_scan))
     for (const PlacedSubmap& target : targets)
-      if (wayBetween(*source.submap, *target.submap) >= limits.min_way &&
+      if (travelledBetween(*source.submap, *target.submap) >= limits.min_travelled &&
           comeWithin(pathOf(source), pathOf(target), limits.max_gap))
         return true;
   return false;

@@ -90,7 +90,7 @@ TEST_F(LoopCloserTest, WhereTheGraphPlacedThemRegistrationsMayNotDifferByDrift) 
     return LoopCloser({}, {}).close(placed, targets, origin).front().outcome;
   };
   EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::appearance), LoopOutcome::accepted);
-  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::retroactive), LoopOutcome::disagreement);
+  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::retroactive), LoopOutcome::inconsistent);
   const std::vector<PlacedSubmap> alone{sources.front()};
   EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::appearance), LoopOutcome::accepted);
   EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::retroactive), LoopOutcome::far_from_guess);
@@ -111,7 +111,7 @@ TEST_F(LoopCloserTest, OneOfTwoIsNoMajorityWhereTheOthersWallsDoNotFit) {
     const auto contested = closer.close(both, targets, origin);
     ASSERT_EQ(contested.size(), 2u);
     EXPECT_EQ(contested[1].outcome, LoopOutcome::incoherent) << toString(contested[1].outcome);
-    EXPECT_EQ(contested[0].outcome, graph ? LoopOutcome::disagreement : LoopOutcome::accepted);
+    EXPECT_EQ(contested[0].outcome, graph ? LoopOutcome::inconsistent : LoopOutcome::accepted);
   }
 }
 

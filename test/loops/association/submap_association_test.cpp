@@ -36,14 +36,14 @@ TEST(SubmapAssociation, OppositeDirectionsAssociate) {
   EXPECT_NEAR(pairs[0].hausdorff, 4.0, 1e-9);
 }
 
-TEST(SubmapAssociation, NotWithLessOfTheWayBetweenThanAsked) {
+TEST(SubmapAssociation, NotWithLessTravelledBetweenThanAsked) {
   auto later = std::make_shared<Submap>(*kTargets[0].submap);
-  later->way_begin = 130.0;
+  later->travelled_begin = 130.0;
   AssociationConfig config;
-  config.min_way = 100.0;
-  const auto ending = [](double way_end) {
+  config.min_travelled = 100.0;
+  const auto ending = [](double travelled_end) {
     auto submap = std::make_shared<Submap>(*kTargets[0].submap);
-    submap->way_end = way_end;
+    submap->travelled_end = travelled_end;
     return std::vector<PlacedSubmap>{{submap, Pose::identity()}};
   };
   const std::vector<PlacedSubmap> sources{{later, Pose::identity()}};

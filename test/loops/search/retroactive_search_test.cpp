@@ -16,8 +16,8 @@ class RetroactiveSearchTest : public testing::Test {
     for (unsigned n = 0; n < 10; ++n) {
       auto submap = std::make_shared<Submap>();
       submap->first_scan = {100 * n};
-      submap->way_begin = 100.0 * n;
-      submap->way_end = 100.0 * n + 99.0;
+      submap->travelled_begin = 100.0 * n;
+      submap->travelled_end = 100.0 * n + 99.0;
       submap->T_submap_scan.resize(100);
       maps_.push_back(std::make_shared<LocalMap>(LocalMap{{n}, {submap}, {}}));
       for (int m = 0; m < 100; ++m)
@@ -67,7 +67,7 @@ TEST_F(RetroactiveSearchTest, TheBestIsNearAndFarFromOtherClosures) {
 }
 
 /// Three local maps of one submap each: 60 m ahead, 60 m on around a bend, and back beside the first.
-TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheWayBetweenTheirSubmapsIsLong) {
+TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheTravelledDistanceBetweenTheirSubmapsIsLong) {
   const Eigen::Vector3d corners[] = {{0, 0, 0}, {60, 0, 0}, {60, 5, 0}, {0, 5, 0}};
   std::vector<SubmapPtr> submaps;
   std::vector<Pose> T_map_scan;
@@ -75,8 +75,8 @@ TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheWayBetweenTheirSubmapsIsLong)
     auto submap = std::make_shared<Submap>();
     submap->first_scan = {60 * n};
     const Eigen::Vector3d step = (corners[n + 1] - corners[n]) / 60.0;
-    submap->way_begin = n == 0 ? 0.0 : submaps.back()->way_end;
-    submap->way_end = submap->way_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
+    submap->travelled_begin = n == 0 ? 0.0 : submaps.back()->travelled_end;
+    submap->travelled_end = submap->travelled_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
     submap->T_submap_scan.resize(60);
     for (int m = 0; m < 60; ++m) {
       submap->T_submap_scan[m].translation = m * step;
@@ -91,15 +91,15 @@ TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheWayBetweenTheirSubmapsIsLong)
   const auto found = RetroactiveSearch({}).search(maps, T_map_scan, {}, {1}, {});
   EXPECT_TRUE(contains(found, 1, 0));
   RetroactiveConfig config;
-  config.association.min_way = 121.0;
+  config.association.min_travelled = 121.0;
   EXPECT_TRUE(RetroactiveSearch(config).search(maps, T_map_scan, {}, {1}, {}).empty());
 }
 
-TEST_F(RetroactiveSearchTest, WithinTheReachOfTheOdometryAreOnlyMapsNotFarBack) {
-  const auto within = [&](double reach, unsigned n) {
+TEST_F(RetroactiveSearchTest, InTheLowDriftWindowAreOnlyMapsNotFarBack) {
+  const auto within = [&](double window, unsigned n) {
     RetroactiveConfig config;
-    config.odometry_reach = reach;
-    return RetroactiveSearch(config).searchInReach(maps_, T_map_scan_, {n}, {});
+    config.low_drift_window = window;
+    return RetroactiveSearch(config).searchLowDriftWindow(maps_, T_map_scan_, {n}, {});
   };
   EXPECT_TRUE(contains(within(300.0, 6), 6, 3));  // 201 m back
   EXPECT_FALSE(contains(within(300.0, 7), 7, 2));  // 401 m back

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "in_process_odometry.h"
+#include "support/contains.h"
+#include "support/ros_log.h"
 
 namespace revisit_slam {
 namespace {
@@ -36,6 +38,13 @@ class LiveControl : public InProcessOdometry {
   const std::vector<sensor_msgs::PointCloud2> clouds_ = toClouds(driveInRoom(6));
   std::size_t next_ = 0;
 };
+
+TEST_F(LiveControl, oldNameOfAParameterIsAcceptedWithAWarning) {
+  setParameter("loops/agreement/rotation", 2.0);
+  const RosLog log;
+  load();
+  EXPECT_TRUE(contains(log.text(), "is now called 'loops/consistency/rotation'"));
+}
 
 TEST_F(LiveControl, maximumRangeAppliesFromTheNextScan) {
   load();

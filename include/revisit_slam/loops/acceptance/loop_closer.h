@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "revisit_slam/types/constraint.h"
-#include "revisit_slam/types/submap.h"
+#include "revisit_slam/loops/acceptance/loop_closer_config.h"
 #include "revisit_slam/loops/registration/fine_registration.h"
 #include "revisit_slam/loops/registration/fine_registration_information.h"
-#include "revisit_slam/loops/acceptance/loop_closer_config.h"
+#include "revisit_slam/types/constraint.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 
@@ -18,7 +18,7 @@ enum class LoopOutcome {
   low_fitness,     ///< the submaps overlap too little
   incoherent,      ///< surfaces stand beside each other
   far_from_guess,  ///< the registration went farther than the guess can be wrong
-  disagreement,    ///< contradicts the other pairs of these local maps, or no majority
+  inconsistent,    ///< contradicts the other pairs of these local maps, or no majority
 };
 
 const char* toString(LoopOutcome outcome);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/loops/acceptance/agreement.h"
-#include "revisit_slam/loops/registration/fine_registration_config.h"
+#include "revisit_slam/loops/acceptance/pairwise_consistency.h"
 #include "revisit_slam/loops/association/submap_association.h"
+#include "revisit_slam/loops/registration/fine_registration_config.h"
 
 namespace revisit_slam {
 
@@ -15,22 +15,28 @@ struct LoopCloserConfig {
   double min_coherence = 0.5;
   double max_translation = 6.0;
   double max_rotation = 15.0;
-  AgreementConfig agreement;
+  PairwiseConsistencyConfig consistency;
 
   template <typename Visitor>
   void visit(Visitor& v) {
     v.group("association", association);
     v.group("registration", registration);
-    v("min_fitness", min_fitness, Range{0.0, 1.0}, "", "tau_f, share of voxels with a counterpart");
+    v("min_fitness", min_fitness, Range{0.0, 1.0}, "",
+      "tau_f, smallest share of voxels with a counterpart in the other submap. Raise it if wrong "
+      "loops are accepted; lower it if right loops of submaps that overlap little are rejected");
     v("min_coherence", min_coherence, Range{0.0, 1.0}, "",
-      "share of surfaces that fit where there are surfaces near, halfway from it to 1 for a "
-      "retroactive pair alone; 0 switches the check off");
+      "smallest share of surfaces that fit, of those with a surface of the other submap near; "
+      "halfway from here to 1 for a retroactive registration that no other confirms; 0 switches "
+      "both checks off. Raise it if registrations slide along repeated structure; lower it if "
+      "scenes that changed between the visits are rejected");
     v("max_translation", max_translation, Range{0.0, 1000.0}, "m",
-      "a registration that moved farther from its guess is rejected");
+      "largest translation in metres of a registration from its guess. Raise it if drift is larger "
+      "than this before a loop is closed; lower it if registrations reach a wrong minimum");
     v("max_rotation", max_rotation, Range{0.0, 180.0}, "deg",
-      "a registration that turned farther from its guess is rejected; a third of it where no "
-      "other registration of these local maps confirms it");
-    v.group("agreement", agreement);
+      "largest rotation in degrees of a registration from its guess; a third of it where no other "
+      "registration of the same local maps confirms it. Raise it if drift is larger than this "
+      "before a loop is closed; lower it if registrations reach a wrong minimum");
+    v.group("consistency", consistency);
   }
 };
 

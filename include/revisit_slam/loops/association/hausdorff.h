@@ -7,9 +7,9 @@
 
 namespace revisit_slam {
 
-/// Positions along a trajectory, in order, with the way to each. The way bounds how much a distance
-/// can change from one position to the next, which lets the searches below leap over what cannot
-/// matter.
+/// Positions along a trajectory, in order, with the travelled distance to each. It bounds how much
+/// the distance to anything else can change from one position to the next, which lets the searches
+/// below leap over positions that cannot matter.
 class Path {
  public:
   Path() = default;
@@ -17,7 +17,7 @@ class Path {
 
   std::size_t size() const { return positions_.size(); }
   const Eigen::Vector3d& operator[](std::size_t index) const { return positions_[index]; }
-  double length() const { return way_.empty() ? 0.0 : way_.back(); }
+  double length() const { return travelled_.empty() ? 0.0 : travelled_.back(); }
 
   /// The first index after `index` that is more than `distance` further on.
   std::size_t leap(std::size_t index, double distance) const;
@@ -27,7 +27,7 @@ class Path {
 
  private:
   std::vector<Eigen::Vector3d> positions_;
-  std::vector<double> way_;  // m, from the first position
+  std::vector<double> travelled_;  // m, from the first position
 };
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();

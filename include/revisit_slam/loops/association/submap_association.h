@@ -3,25 +3,31 @@
 
 #include <vector>
 
-#include "revisit_slam/util/parameters.h"
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/loops/association/hausdorff.h"
+#include "revisit_slam/types/submap.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 
 struct AssociationConfig {
   double max_hausdorff = 100.0;
   double max_gap = 40.0;
-  double min_way = 0.0;
+  double min_travelled = 0.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
     v("max_hausdorff", max_hausdorff, Range{0.0, 10000.0}, "m",
-      "tau_H, largest Hausdorff distance of trajectories that are compared");
+      "tau_H, largest Hausdorff distance in metres of two trajectories that are compared. Raise it "
+      "if revisits are missed because drift puts their trajectories far apart; lower it if too "
+      "many pairs are registered in vain");
     v("max_gap", max_gap, Range{0.0, 10000.0}, "m",
-      "trajectories that stay farther apart see too little of the same to be compared");
-    v("min_way", min_way, Range{0.0, 100000.0}, "m",
-      "submaps with less of the way between them are neighbours, not revisits");
+      "largest distance in metres between two trajectories where they are closest. Raise it if the "
+      "sensor sees far and parallel streets should be matched; lower it if pairs are registered "
+      "that share too little of their surroundings");
+    v("min_travelled", min_travelled, Range{0.0, 100000.0}, "m",
+      "smallest travelled distance in metres between two submaps that are compared. Raise it if "
+      "submaps are matched with their neighbours along the drive; lower it if loops shorter than "
+      "this are missed");
   }
 };
 
@@ -32,8 +38,8 @@ struct PlacedSubmap {
   Pose T_common_submap;
 };
 
-/// m, between the end of the earlier one and the beginning of the later one.
-double wayBetween(const Submap& later, const Submap& earlier);
+/// Travelled distance from the end of the earlier one to the beginning of the later one, m.
+double travelledBetween(const Submap& later, const Submap& earlier);
 
 /// The submaps of a local map as the odometry placed them, with the local map at `T_common_local`.
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local);

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
+#include "revisit_slam/geometry/voxel.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/geometry/voxel.h"
 
 namespace revisit_slam {
 

@@ -14,7 +14,7 @@ namespace revisit_slam {
 struct RetroactiveConfig {
   bool enabled = true;
   AssociationConfig association{100.0, 40.0, 100.0};
-  double odometry_reach = 300.0;
+  double low_drift_window = 300.0;
   int novelty_range = 5;
   int max_pairs = 20;
 
@@ -22,9 +22,11 @@ struct RetroactiveConfig {
   void visit(Visitor& v) {
     v("enabled", enabled, "false: only appearance closes loops (ablation)");
     v.group("association", association);
-    v("odometry_reach", odometry_reach, Range{0.0, 100000.0}, "m",
-      "a local map is compared with those that are no more of the way back even if appearance "
-      "closed no loop: the odometry has hardly drifted since; 0: never");
+    v("low_drift_window", low_drift_window, Range{0.0, 100000.0}, "m",
+      "how far back, in travelled metres, odometry alone is trusted to place maps: a local map that "
+      "appearance did not close is compared with those in this window; 0: with none. Raise it if the "
+      "odometry drifts little and short loops stay open; lower it if the odometry drifts by metres "
+      "within this distance");
     v("novelty_range", novelty_range, Range{1, 1000}, "",
       "a closure this many local maps from any other gains as much as one still farther");
     v("max_pairs", max_pairs, Range{1, 10000}, "",
@@ -54,19 +56,19 @@ class RetroactiveSearch {
   void reconfigure(const RetroactiveConfig& config) { config_ = config; }
 
   /// Pairs (i, j) with p < i <= n and j earlier, not in `closed`, whose optimised trajectories
-  /// satisfy d_H <= tau_H and come near where they are not neighbours along the way; most promising
-  /// first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps up to n are
+  /// satisfy d_H <= tau_H and come near where they are not neighbours along the drive; most
+  /// promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps up to n are
   /// searched.
   std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
                                            const std::vector<Pose>& T_map_scan,
                                            std::optional<LocalMapId> p, LocalMapId n,
                                            const std::set<LocalMapPair>& closed) const;
 
-  /// Those of the map n alone that are within the reach of the odometry.
-  std::vector<RetroactiveCandidate> searchInReach(const std::vector<LocalMapPtr>& maps,
-                                                  const std::vector<Pose>& T_map_scan,
-                                                  LocalMapId n,
-                                                  const std::set<LocalMapPair>& closed) const;
+  /// Those of the map n alone within the low-drift window: no farther back, in travelled distance,
+  /// than odometry alone is trusted to place maps.
+  std::vector<RetroactiveCandidate> searchLowDriftWindow(
+      const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
+      const std::set<LocalMapPair>& closed) const;
 
  private:
   bool meetAgain(const LocalMap& later, const LocalMap& earlier,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/loops/acceptance/agreement.h"
+#include "revisit_slam/loops/acceptance/pairwise_consistency.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
-/// How many agree with a pair, itself included, and how well they fit.
+/// How many are consistent with a pair, itself included, and how well they fit.
 std::pair<std::size_t, double> supportOf(const RegisteredPair& pair,
                                          const std::vector<RegisteredPair>& pairs,
-                                         const AgreementConfig& config) {
+                                         const PairwiseConsistencyConfig& config) {
   std::pair<std::size_t, double> support{0, 0.0};
   for (const RegisteredPair& other : pairs) {
-    if (!agree(pair, other, config)) continue;
+    if (!areConsistent(pair, other, config)) continue;
     ++support.first;
     support.second += other.fitness;
   }
@@ -24,7 +24,8 @@ std::pair<std::size_t, double> supportOf(const RegisteredPair& pair,
 
 }  // namespace
 
-bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConfig& config) {
+bool areConsistent(const RegisteredPair& a, const RegisteredPair& b,
+                   const PairwiseConsistencyConfig& config) {
   const Pose T_tb_ta = b.T_common_target.inverse() * a.T_common_target;
   const Pose T_sa_sb = a.T_common_source.inverse() * b.T_common_source;
   const Pose error = (T_tb_ta * a.T_target_source * T_sa_sb).inverse() * b.T_target_source;
@@ -34,7 +35,7 @@ bool agree(const RegisteredPair& a, const RegisteredPair& b, const AgreementConf
 }
 
 std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t others,
-                           const AgreementConfig& config) {
+                           const PairwiseConsistencyConfig& config) {
   std::vector<bool> belongs(pairs.size(), false);
   std::pair<std::size_t, double> most{0, 0.0};
   std::size_t centre = 0;
@@ -46,7 +47,7 @@ std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t
   }
   if (2 * most.first <= pairs.size() + others) return belongs;
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    belongs[i] = agree(pairs[centre], pairs[i], config);
+    belongs[i] = areConsistent(pairs[centre], pairs[i], config);
   return belongs;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/loops/acceptance/agreement.h"
+#include "revisit_slam/loops/acceptance/pairwise_consistency.h"
 
 #include <gtest/gtest.h>
 
@@ -21,11 +21,11 @@ std::vector<RegisteredPair> consistentPairs(const Pose& error) {
 
 const Pose kError{expSO3({0, 0, 0.05}), {1.5, -1.0, 0.2}};
 
-TEST(Agreement, AcceptsPairsThatShareTheErrorOfTheGuess) {
+TEST(PairwiseConsistency, AcceptsPairsThatShareTheErrorOfTheGuess) {
   EXPECT_EQ(majority(consistentPairs(kError), 0, {}), std::vector<bool>(4, true));
 }
 
-TEST(Agreement, DropsAPlantedWrongPair) {
+TEST(PairwiseConsistency, DropsAPlantedWrongPair) {
   for (std::size_t wrong = 0; wrong < 4; ++wrong) {
     auto pairs = consistentPairs(kError);
     pairs[wrong].T_target_source =
@@ -36,13 +36,13 @@ TEST(Agreement, DropsAPlantedWrongPair) {
   }
 }
 
-TEST(Agreement, DropsAPairThatIsTurned) {
+TEST(PairwiseConsistency, DropsAPairThatIsTurned) {
   auto pairs = consistentPairs(kError);
   pairs[2].T_target_source.rotation = pairs[2].T_target_source.rotation * expSO3({0, 0.12, 0});
   EXPECT_EQ(majority(pairs, 0, {}), (std::vector<bool>{true, true, false, true}));
 }
 
-TEST(Agreement, AllowsForDrift) {
+TEST(PairwiseConsistency, AllowsForDrift) {
   auto pairs = consistentPairs(kError);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     pairs[i].T_target_source =
@@ -51,7 +51,7 @@ TEST(Agreement, AllowsForDrift) {
   EXPECT_EQ(majority(pairs, 0, {}), std::vector<bool>(4, true));
 }
 
-TEST(Agreement, HalfIsNoMajorityAndOneIsWholly) {
+TEST(PairwiseConsistency, HalfIsNoMajorityAndOneIsWholly) {
   auto pairs = consistentPairs(kError);
   pairs.resize(2);
   pairs[1].T_target_source = pairs[1].T_target_source * Pose{expSO3({0, 0, 0}), {5, 0, 0}};
@@ -61,7 +61,7 @@ TEST(Agreement, HalfIsNoMajorityAndOneIsWholly) {
   EXPECT_TRUE(majority({}, 0, {}).empty());
 }
 
-TEST(Agreement, ThoseWithoutASayAreAmongAll) {
+TEST(PairwiseConsistency, ThoseWithoutASayAreAmongAll) {
   auto pairs = consistentPairs(kError);
   EXPECT_EQ(majority(pairs, 3, {}), std::vector<bool>(4, true));
   EXPECT_EQ(majority(pairs, 4, {}), std::vector<bool>(4, false));
