@@ -59,14 +59,26 @@ json mapJson(const JudgedMap& map, const MapClosure& closure) {
   return text;
 }
 
+/// By which gate and why; null if accepted.
+json rejectionJson(const LoopVerdict& verdict) {
+  if (verdict.isAccepted()) return nullptr;
+  const Measurement& measurement = verdict.measurement;
+  return {{"gate", verdict.gate},
+          {"value", measurement.value},
+          {"limit", measurement.limit},
+          {"unit", measurement.unit}};
+}
+
 json constraintJson(const JudgedConstraint& c) {
   const LoopProposal& p = c.proposal;
+  const FineRegistrationResult& registration = p.registered.registration;
   return {{"source", p.loop.source.value},
           {"target", p.loop.target.value},
           {"source_map", p.loop.source_map.value},
           {"target_map", p.loop.target_map.value},
           {"origin", toString(p.loop.origin)},
-          {"outcome", toString(p.outcome)},
+          {"outcome", p.verdict.outcome()},
+          {"rejected", rejectionJson(p.verdict)},
           {"state", c.state},
           {"is_right", c.is_right},
           {"is_right_at_keypose", c.is_right_at_keypose},
@@ -75,13 +87,15 @@ json constraintJson(const JudgedConstraint& c) {
           {"distance", c.label.distance},
           {"shared", c.label.sharedPath()},
           {"kind", toString(c.label.kind())},
-          {"fitness", p.registration.fitness},
-          {"coherence", p.registration.coherence},
-          {"rms", p.registration.rms},
-          {"inliers", p.registration.inliers},
-          {"iterations", p.registration.iterations},
+          {"fitness", registration.fitness},
+          {"coherence", registration.coherence},
+          {"rms", registration.rms},
+          {"inliers", registration.inliers},
+          {"iterations", registration.iterations},
           {"hausdorff", p.hausdorff},
-          {"moved", {{"translation", p.moved_translation}, {"rotation", p.moved_rotation}}}};
+          {"moved",
+           {{"translation", p.registered.movedTranslation()},
+            {"rotation", p.registered.movedRotation()}}}};
 }
 
 }  // namespace

@@ -80,8 +80,7 @@ class ConstraintJudge {
     };
     judged.is_right = is_right(judged.at_place);
     judged.is_right_at_keypose = is_right(judged.at_keypose);
-    if (proposal.outcome == LoopOutcome::accepted)
-      judged.state = states_.at({loop.source, loop.target});
+    if (proposal.verdict.isAccepted()) judged.state = states_.at({loop.source, loop.target});
     return judged;
   }
 

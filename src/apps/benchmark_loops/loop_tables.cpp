@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "loop_report.h"
+#include "revisit_slam/loops/acceptance/acceptance_policy.h"
 #include "revisit_slam/util/quantile.h"
 
 namespace revisit_slam {
@@ -77,8 +78,7 @@ std::string mapTable(const std::vector<JudgedMap>& maps) {
 Constraints acceptedOf(const Constraints& constraints, LoopOrigin origin) {
   Constraints accepted;
   for (const JudgedConstraint& constraint : constraints)
-    if (constraint.proposal.outcome == LoopOutcome::accepted &&
-        constraint.proposal.loop.origin == origin)
+    if (constraint.proposal.verdict.isAccepted() && constraint.proposal.loop.origin == origin)
       accepted.push_back(constraint);
   return accepted;
 }
@@ -121,19 +121,25 @@ std::string constraintTable(const Constraints& constraints) {
 std::string outcomeTable(const Constraints& constraints) {
   std::string text = "| outcome | appearance: right, wrong | retroactive: right, wrong |\n";
   text += "|---|---|---|\n";
-  for (int i = 0; i <= static_cast<int>(LoopOutcome::inconsistent); ++i) {
-    const auto outcome = static_cast<LoopOutcome>(i);
+  std::vector<std::string> outcomes{LoopVerdict().outcome()};
+  const std::vector<std::string> gates = gateNames();
+  outcomes.insert(outcomes.end(), gates.begin(), gates.end());
+  for (const std::string& outcome : outcomes) {
     const auto count = [&](LoopOrigin origin, bool right) {
       return countIf(constraints, [&](const JudgedConstraint& c) {
-        return c.proposal.outcome == outcome && c.proposal.loop.origin == origin &&
+        return c.proposal.verdict.outcome() == outcome && c.proposal.loop.origin == origin &&
                c.is_right == right;
       });
     };
-    text += format("| %s | %zu, %zu | %zu, %zu |\n", toString(outcome),
+    text += format("| %s | %zu, %zu | %zu, %zu |\n", outcome.c_str(),
                    count(LoopOrigin::appearance, true), count(LoopOrigin::appearance, false),
                    count(LoopOrigin::retroactive, true), count(LoopOrigin::retroactive, false));
   }
   return text;
+}
+
+std::string outcomeText(const LoopVerdict& verdict) {
+  return verdict.isAccepted() ? verdict.outcome() : verdict.reason();
 }
 
 /// Every proposal whose outcome and truth contradict each other.
@@ -141,16 +147,16 @@ std::string mistakeTable(const Constraints& constraints) {
   std::string text;
   for (const JudgedConstraint& c : constraints) {
     const LoopProposal& p = c.proposal;
-    if ((p.outcome == LoopOutcome::accepted) == c.is_right) continue;
+    if (p.verdict.isAccepted() == c.is_right) continue;
     text += format("| %u (%u) | %u (%u) | %s | %s %s | %.2f m %.2f deg | %.2f m %.2f deg |",
                    p.loop.source.value, p.loop.source_map.value, p.loop.target.value,
-                   p.loop.target_map.value, toString(p.loop.origin), toString(p.outcome),
+                   p.loop.target_map.value, toString(p.loop.origin), outcomeText(p.verdict).c_str(),
                    c.state.c_str(), c.at_keypose.translation, c.at_keypose.rotation,
                    c.at_place.translation, c.at_place.rotation);
-    text +=
-        format(" %.2f | %.2f | %.1f m %.1f deg | %.0f m | %.0f m %s |\n", p.registration.fitness,
-               p.registration.coherence, p.moved_translation, p.moved_rotation, c.label.distance,
-               c.label.sharedPath(), toString(c.label.kind()));
+    text += format(" %.2f | %.2f | %.1f m %.1f deg | %.0f m | %.0f m %s |\n",
+                   p.registered.registration.fitness, p.registered.registration.coherence,
+                   p.registered.movedTranslation(), p.registered.movedRotation(), c.label.distance,
+                   c.label.sharedPath(), toString(c.label.kind()));
   }
   return "| source (map) | target (map) | origin | outcome | error at the keypose | where closest "
          "| "
@@ -164,8 +170,8 @@ std::string timeTable(const std::vector<MapClosure>& maps) {
   const auto line = [&](const char* name, double MapClosure::*member) {
     std::vector<double> values;
     for (const MapClosure& map : maps) values.push_back(map.*member);
-    text +=
-        format("| %s | %.0f ms | %.0f ms |\n", name, quantileOrZero(values, 0.5), quantileOrZero(values, 1.0));
+    text += format("| %s | %.0f ms | %.0f ms |\n", name, quantileOrZero(values, 0.5),
+                   quantileOrZero(values, 1.0));
   };
   line("recognition", &MapClosure::recognition_ms);
   line("registration", &MapClosure::registration_ms);

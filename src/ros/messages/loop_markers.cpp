@@ -55,10 +55,6 @@ class Lines {
   std::vector<Marker> texts_;
 };
 
-std::string textOf(const LoopProposal& proposal) {
-  return proposal.outcome == LoopOutcome::accepted ? "" : toString(proposal.outcome);
-}
-
 }  // namespace
 
 MarkerArray toLoopEdges(const SlamGraph& graph, double pulling_weight,
@@ -87,7 +83,7 @@ MarkerArray toLoopCandidates(const std::vector<LoopSearchResult>& searches,
     for (const LoopProposal& proposal : search.proposals)
       pairs.add(T_map_submap(proposal.loop.target).translation,
                 T_map_submap(proposal.loop.source).translation,
-                proposal.outcome == LoopOutcome::accepted ? kGreen : kRed, textOf(proposal));
+                proposal.verdict.isAccepted() ? kGreen : kRed, proposal.verdict.reason());
   }
   MarkerArray array;
   array.markers.push_back(deleteAll());

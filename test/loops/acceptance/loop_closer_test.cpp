@@ -17,6 +17,11 @@ LocalMapPtr localMapOf(SyntheticStreet street, const std::vector<Pose>& T_street
   return hierarchy.closeAll().local_map;
 }
 
+std::string outcomeOfFirst(const LoopCloser& closer, const std::vector<PlacedSubmap>& sources,
+                           const std::vector<PlacedSubmap>& targets, LoopOrigin origin) {
+  return closer.close(sources, targets, origin).front().verdict.outcome();
+}
+
 class LoopCloserTest : public testing::Test {
  protected:
   std::vector<LoopProposal> close(const LocalMap& source, const Tangent& error) const {
@@ -35,7 +40,7 @@ TEST_F(LoopCloserTest, ClosesTheLoopOfOppositeDrives) {
   ASSERT_EQ(proposals.size(), source_->submaps.size());
   for (const LoopProposal& proposal : proposals) {
     const LoopConstraint& loop = proposal.loop;
-    ASSERT_EQ(proposal.outcome, LoopOutcome::accepted) << toString(proposal.outcome);
+    ASSERT_TRUE(proposal.verdict.isAccepted()) << proposal.verdict.reason();
     const Submap& target = *target_->submaps[loop.target.value];
     const Submap& source = *source_->submaps[loop.source.value];
     EXPECT_EQ(loop.constraint.from, target.first_scan);
@@ -44,7 +49,7 @@ TEST_F(LoopCloserTest, ClosesTheLoopOfOppositeDrives) {
                               target.T_odom_submap.inverse() * source.T_odom_submap),
               0.03);
     EXPECT_GT(loop.constraint.information(0, 0), 10.0);
-    EXPECT_GT(proposal.moved_translation, 0.5);
+    EXPECT_GT(proposal.registered.movedTranslation(), 0.5);
   }
 }
 
@@ -52,7 +57,7 @@ TEST_F(LoopCloserTest, RejectsAnotherStreet) {
   const auto elsewhere = localMapOf(SyntheticStreet(9, 2), drive(52, 2, 2.0), 100);
   const auto proposals = close(*elsewhere, error_);
   EXPECT_FALSE(proposals.empty());
-  for (const LoopProposal& proposal : proposals) EXPECT_NE(proposal.outcome, LoopOutcome::accepted);
+  for (const LoopProposal& proposal : proposals) EXPECT_FALSE(proposal.verdict.isAccepted());
 }
 
 TEST_F(LoopCloserTest, APairThatNoOtherConfirmsMayTurnLess) {
@@ -64,8 +69,8 @@ TEST_F(LoopCloserTest, APairThatNoOtherConfirmsMayTurnLess) {
   sources.resize(1);
   const auto alone = closer.close(sources, targets, LoopOrigin::retroactive);
   ASSERT_EQ(alone.size(), 1u);
-  EXPECT_EQ(alone[0].outcome, LoopOutcome::far_from_guess);
-  EXPECT_LT(alone[0].moved_rotation, LoopCloserConfig().max_rotation);
+  EXPECT_EQ(alone[0].verdict.gate, "lone rotation");
+  EXPECT_LT(alone[0].registered.movedRotation(), LoopCloserConfig().max_rotation);
 }
 
 TEST_F(LoopCloserTest, AloneAndFoundByPlaceOnlyAPairHasToBeMoreCoherent) {
@@ -74,26 +79,23 @@ TEST_F(LoopCloserTest, AloneAndFoundByPlaceOnlyAPairHasToBeMoreCoherent) {
   const LoopOrigin retroactive = LoopOrigin::retroactive;
   LoopCloserConfig config;
   const LoopProposal usual = LoopCloser(config, {}).close(alone, targets, retroactive).front();
-  ASSERT_EQ(usual.outcome, LoopOutcome::accepted);
-  config.min_coherence = usual.registration.coherence - 1e-6;
+  ASSERT_TRUE(usual.verdict.isAccepted()) << usual.verdict.reason();
+  config.min_coherence = usual.registered.registration.coherence - 1e-6;
   const LoopCloser strict(config, {});
-  EXPECT_EQ(strict.close(alone, targets, LoopOrigin::appearance).front().outcome,
-            LoopOutcome::accepted);
-  EXPECT_EQ(strict.close(alone, targets, retroactive).front().outcome, LoopOutcome::incoherent);
+  EXPECT_EQ(outcomeOfFirst(strict, alone, targets, LoopOrigin::appearance), "accepted");
+  EXPECT_EQ(outcomeOfFirst(strict, alone, targets, retroactive), "lone coherence");
 }
 
 TEST_F(LoopCloserTest, WhereTheGraphPlacedThemRegistrationsMayNotDifferByDrift) {
   auto sources = placeByOdometry(*source_, T_target_source_);
   const auto targets = placeByOdometry(*target_, Pose::identity());
   sources.front().T_common_submap.translation.x() += 0.6;  // one is pulled along by something else
-  const auto outcomeOfFirst = [&](const std::vector<PlacedSubmap>& placed, LoopOrigin origin) {
-    return LoopCloser({}, {}).close(placed, targets, origin).front().outcome;
-  };
-  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::appearance), LoopOutcome::accepted);
-  EXPECT_EQ(outcomeOfFirst(sources, LoopOrigin::retroactive), LoopOutcome::inconsistent);
+  const LoopCloser closer({}, {});
+  EXPECT_EQ(outcomeOfFirst(closer, sources, targets, LoopOrigin::appearance), "accepted");
+  EXPECT_EQ(outcomeOfFirst(closer, sources, targets, LoopOrigin::retroactive), "consistency");
   const std::vector<PlacedSubmap> alone{sources.front()};
-  EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::appearance), LoopOutcome::accepted);
-  EXPECT_EQ(outcomeOfFirst(alone, LoopOrigin::retroactive), LoopOutcome::far_from_guess);
+  EXPECT_EQ(outcomeOfFirst(closer, alone, targets, LoopOrigin::appearance), "accepted");
+  EXPECT_EQ(outcomeOfFirst(closer, alone, targets, LoopOrigin::retroactive), "lone translation");
 }
 
 TEST_F(LoopCloserTest, OneOfTwoIsNoMajorityWhereTheOthersWallsDoNotFit) {
@@ -107,11 +109,11 @@ TEST_F(LoopCloserTest, OneOfTwoIsNoMajorityWhereTheOthersWallsDoNotFit) {
   const LoopCloser closer(config, {});
   for (const LoopOrigin origin : {LoopOrigin::appearance, LoopOrigin::retroactive}) {
     const bool graph = origin == LoopOrigin::retroactive;
-    EXPECT_EQ(closer.close(right, targets, origin).front().outcome, LoopOutcome::accepted);
+    EXPECT_EQ(outcomeOfFirst(closer, right, targets, origin), "accepted");
     const auto contested = closer.close(both, targets, origin);
     ASSERT_EQ(contested.size(), 2u);
-    EXPECT_EQ(contested[1].outcome, LoopOutcome::incoherent) << toString(contested[1].outcome);
-    EXPECT_EQ(contested[0].outcome, graph ? LoopOutcome::inconsistent : LoopOutcome::accepted);
+    EXPECT_EQ(contested[1].verdict.outcome(), "coherence");
+    EXPECT_EQ(contested[0].verdict.outcome(), graph ? "consistency" : "accepted");
   }
 }
 

@@ -115,12 +115,12 @@ TEST(LoopMarkers, rejectedPairsSayWhy) {
   search.candidates.resize(1);
   search.candidates[0].inliers = 4;
   search.proposals.resize(2);
-  search.proposals[1].outcome = LoopOutcome::low_fitness;
+  search.proposals[1].verdict = {"fitness", {0.18, Bound::above, 0.25, ""}};
   const auto anywhere = [](auto) { return at(0, 0); };
   std::multiset<std::string> texts;
   for (const Marker& marker : toLoopCandidates({search}, anywhere, anywhere, "map").markers)
     if (marker.type == Marker::TEXT_VIEW_FACING) texts.insert(marker.text);
-  EXPECT_EQ(texts, (std::multiset<std::string>{"4", "", "low fitness"}));
+  EXPECT_EQ(texts, (std::multiset<std::string>{"4", "", "fitness 0.18 <= 0.25"}));
 }
 
 TEST(DensityMessage, hasYUpwardsAndMarksFeatures) {

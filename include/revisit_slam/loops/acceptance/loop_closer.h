@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "revisit_slam/loops/acceptance/gate.h"
 #include "revisit_slam/loops/acceptance/loop_closer_config.h"
 #include "revisit_slam/loops/registration/fine_registration.h"
 #include "revisit_slam/loops/registration/fine_registration_information.h"
@@ -11,38 +12,25 @@
 
 namespace revisit_slam {
 
-enum class LoopOutcome {
-  accepted,
-  too_few_correspondences,
-  not_converged,
-  low_fitness,     ///< the submaps overlap too little
-  incoherent,      ///< surfaces stand beside each other
-  far_from_guess,  ///< the registration went farther than the guess can be wrong
-  inconsistent,    ///< contradicts the other pairs of these local maps, or no majority
-};
-
-const char* toString(LoopOutcome outcome);
-
-/// A pair of submaps that was registered, and what became of it.
+/// A pair of submaps that was registered, and the verdict of the gates on it.
 struct LoopProposal {
   LoopConstraint loop;  ///< the identity as information unless accepted
-  LoopOutcome outcome = LoopOutcome::accepted;
-  double hausdorff = 0.0;          ///< m, before the registration
-  double moved_translation = 0.0;  ///< m, from the guess to the result
-  double moved_rotation = 0.0;     ///< degrees
-  FineRegistrationResult registration;
+  LoopVerdict verdict;
+  double hausdorff = 0.0;  ///< m, before the registration
+  RegisteredPair registered;
 };
 
 /// The constraints of those that were accepted.
 std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals);
 
-/// Closes loops between local maps: associates their submaps, registers each pair, and keeps what
-/// fits and agrees. Runs in the current TBB arena; the same bits for any number of threads.
+/// Closes loops between local maps: associates their submaps, registers each pair, and keeps those
+/// that pass the gates of their origin (acceptance_policy.h). Runs in the current TBB arena; the
+/// same bits for any number of threads.
 class LoopCloser {
  public:
   LoopCloser(const LoopCloserConfig& config, const InformationConfig& information);
 
-  /// Takes over what judges a registration; how it is done stays.
+  /// Takes over the limits of the gates; how submaps are registered stays.
   void reconfigure(const LoopCloserConfig& config) { config_ = config; }
 
   /// From a guess of where the source is in the target (place recognition); submaps are placed in
@@ -56,15 +44,9 @@ class LoopCloser {
                                   LoopOrigin origin) const;
 
  private:
-  LoopOutcome judge(const LoopProposal& proposal) const;
-  std::vector<LoopProposal> registerPairs(const std::vector<SubmapPair>& pairs,
-                                          const std::vector<PlacedSubmap>& sources,
-                                          const std::vector<PlacedSubmap>& targets,
-                                          LoopOrigin origin) const;
-  void dropContradictions(const std::vector<SubmapPair>& pairs,
-                          const std::vector<PlacedSubmap>& sources,
-                          const std::vector<PlacedSubmap>& targets,
-                          std::vector<LoopProposal>& proposals) const;
+  std::vector<RegisteredPair> registerPairs(const std::vector<SubmapPair>& pairs,
+                                            const std::vector<PlacedSubmap>& sources,
+                                            const std::vector<PlacedSubmap>& targets) const;
 
   LoopCloserConfig config_;
   FineRegistration registration_;

@@ -17,6 +17,16 @@ struct LoopCloserConfig {
   double max_rotation = 15.0;
   PairwiseConsistencyConfig consistency;
 
+  // Stricter limits for a lone registration, which no other one between its local maps confirms.
+  /// Share of max_rotation: repeated structure fits at large rotations, too.
+  double lone_rotation_share = 1.0 / 3.0;
+  /// Where between min_coherence (0) and 1 the limit of a retroactive one lies.
+  double lone_coherence_share = 0.5;
+
+  double loneCoherence() const {
+    return (1.0 - lone_coherence_share) * min_coherence + lone_coherence_share;
+  }
+
   template <typename Visitor>
   void visit(Visitor& v) {
     v.group("association", association);

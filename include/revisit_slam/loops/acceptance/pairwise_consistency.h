@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <string>
 #include <vector>
 
-#include "revisit_slam/types/pose.h"
+#include "revisit_slam/loops/acceptance/gate.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
@@ -36,24 +36,19 @@ struct PairwiseConsistencyConfig {
       "registrations; none where the graph placed the submaps. Raise it if the odometry drifts "
       "more than this; lower it if it drifts less");
   }
-};
 
-/// A registered pair of submaps, and where both were in the frame that all pairs share.
-struct RegisteredPair {
-  Pose T_common_target;
-  Pose T_common_source;
-  Pose T_target_source;  ///< as registered
-  double fitness;
+  /// For submaps whose places do not drift, as the graph placed them.
+  PairwiseConsistencyConfig withoutDrift() const { return {translation, 0.0, rotation, 0.0}; }
 };
 
 /// Whether the odometry carries one registration over to the other within the tolerance.
 bool areConsistent(const RegisteredPair& a, const RegisteredPair& b,
                    const PairwiseConsistencyConfig& config);
 
-/// For each pair, whether it belongs to the majority: the pairs that are consistent with the one
-/// that most are consistent with. Half of all or fewer are no majority.
-/// @param others pairs of the same local maps that are among all and consistent with none.
-std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t others,
-                           const PairwiseConsistencyConfig& config);
+/// Of the registrations between two local maps the majority is right: those that are consistent
+/// with the one that most are consistent with, if they are more than half of all. Measures that
+/// share, and for a pair outside of the majority how far it differs.
+/// @param opponents gates: the pairs that they rejected are among all, and consistent with none.
+Gate consistencyGate(const PairwiseConsistencyConfig& config, std::vector<std::string> opponents);
 
 }  // namespace revisit_slam
