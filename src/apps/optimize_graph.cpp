@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Optimises a pose graph in g2o's format.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
-#include "revisit_slam/pose_graph/solver.h"
 #include "revisit_slam/io/g2o.h"
+#include "revisit_slam/pose_graph/chain_piece.h"
+#include "revisit_slam/pose_graph/loop_kernel_config.h"
+#include "revisit_slam/pose_graph/solver.h"
 #include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
@@ -14,27 +17,29 @@ namespace {
 struct Options {
   std::string in, out;
   SolverConfig solver;
+  LoopKernelConfig loop_kernel{"none"};
   bool json = false;
 };
 
 /// The poses of the file count as they are: no robust kernel unless asked for.
 Options parseOptions(CLI::App& app, int argc, char** argv) {
   Options options;
-  options.solver.kernel = "none";
   SolverConfig& solver = options.solver;
   app.add_option("graph", options.in, "g2o file with VERTEX_SE3:QUAT and EDGE_SE3:QUAT")
       ->required();
   app.add_option("--out", options.out, "g2o file for the optimised graph");
-  app.add_option("--kernel", solver.kernel,
+  app.add_option("--kernel", options.loop_kernel.kernel,
                  "robust kernel of all edges but those from i to i + 1; none if not given")
       ->check(CLI::IsMember({"none", "huber", "cauchy", "geman_mcclure"}));
-  app.add_option("--kernel-scale", solver.kernel_scale, "residuals well beyond lose weight");
+  app.add_option("--kernel-scale", options.loop_kernel.kernel_scale,
+                 "residuals well beyond lose weight");
   app.add_option("--threads", solver.threads, "threads; results do not depend on it");
   app.add_option("--max-iterations", solver.max_iterations, "steps at most");
   app.add_option("--tolerance", solver.function_tolerance, "relative decrease to end at");
   app.add_flag("--json", options.json, "print one JSON object");
   app.parse(argc, argv);
   check(parametersOf(solver));
+  check(parametersOf(options.loop_kernel));
   return options;
 }
 
@@ -45,9 +50,12 @@ std::vector<NamedText> report(const PoseGraph& graph, const PoseGraphSolution& s
     std::snprintf(text, sizeof(text), "%.12g", value);
     return std::string(text);
   };
+  const auto odometry =
+      std::count_if(graph.factors().begin(), graph.factors().end(),
+                    [](const Factor& factor) { return chainLink(factor) != nullptr; });
   return {{"nodes", std::to_string(graph.poses().size())},
-          {"odometry", std::to_string(graph.odometry().size())},
-          {"loops", std::to_string(graph.loops().size())},
+          {"odometry", std::to_string(odometry)},
+          {"loops", std::to_string(graph.factors().size() - odometry)},
           {"initial_cost", number(solution.initial_cost)},
           {"final_cost", number(solution.final_cost)},
           {"initial_chi2_g2o", number(g2oChi2(graph, graph.poses()))},
@@ -69,7 +77,7 @@ void print(const std::vector<NamedText>& report, SolveOutcome outcome, bool json
 }
 
 bool run(const Options& options) {
-  G2oGraph file = readG2o(options.in);
+  G2oGraph file = readG2o(options.in, options.loop_kernel.value());
   const PoseGraphSolution solution = solve(file.graph, options.solver);
   print(report(file.graph, solution), solution.outcome, options.json);
   if (solution.outcome == SolveOutcome::failed) return false;

@@ -30,12 +30,21 @@ std::string numbersOf(const Matrix6& information) {
   return text;
 }
 
-void writeEdges(std::ofstream& file, const std::vector<Constraint>& constraints,
-                const std::vector<std::uint64_t>& ids) {
-  for (const Constraint& constraint : constraints)
-    file << "EDGE_SE3:QUAT " << ids[constraint.from.value] << ' ' << ids[constraint.to.value]
-         << numbersOf(constraint.T_from_to) << numbersOf(informationToG2o(constraint.information))
-         << '\n';
+std::vector<const RelativePoseFactor*> edgesOf(const PoseGraph& graph) {
+  std::vector<const RelativePoseFactor*> edges;
+  for (const Factor& factor : graph.factors())
+    if (const auto* edge = std::get_if<RelativePoseFactor>(&factor.measurement))
+      edges.push_back(edge);
+  return edges;
+}
+
+void writeEdges(std::ofstream& file, const G2oGraph& graph) {
+  const std::vector<const RelativePoseFactor*> edges = edgesOf(graph.graph);
+  for (const RelativePoseFactor* edge : edges)
+    file << "EDGE_SE3:QUAT " << graph.ids[edge->from().value] << ' ' << graph.ids[edge->to().value]
+         << numbersOf(edge->T_from_to) << numbersOf(informationToG2o(edge->information)) << '\n';
+  const std::size_t others = graph.graph.factors().size() - edges.size();
+  if (others > 0) file << "# without " << others << " factors that are no relative poses\n";
 }
 
 /// Scales rows and columns of the rotation.
@@ -45,18 +54,6 @@ Matrix6 scaleRotation(const Matrix6& information, double scale) {
   return S.asDiagonal() * information * S.asDiagonal();
 }
 
-double g2oChi2(const std::vector<Constraint>& constraints, const std::vector<Pose>& poses) {
-  double sum = 0.0;
-  for (const Constraint& constraint : constraints) {
-    const Pose E = constraint.T_from_to.inverse() *
-                   (poses[constraint.from.value].inverse() * poses[constraint.to.value]);
-    Tangent e;
-    e << E.translation, (E.rotation.w() < 0.0 ? -1.0 : 1.0) * E.rotation.vec();
-    sum += e.dot(informationToG2o(constraint.information) * e);
-  }
-  return sum;
-}
-
 }  // namespace
 
 void writeG2o(const std::string& path, const G2oGraph& graph) {
@@ -64,8 +61,7 @@ void writeG2o(const std::string& path, const G2oGraph& graph) {
     std::ofstream file(temporary);
     for (std::size_t i = 0; i < graph.ids.size(); ++i)
       file << "VERTEX_SE3:QUAT " << graph.ids[i] << numbersOf(graph.graph.poses()[i]) << '\n';
-    writeEdges(file, graph.graph.odometry(), graph.ids);
-    writeEdges(file, graph.graph.loops(), graph.ids);
+    writeEdges(file, graph);
     if (!file.flush()) throw std::runtime_error("cannot write the pose graph '" + path + "'");
   });
 }
@@ -78,7 +74,15 @@ Matrix6 informationToG2o(const Matrix6& information) {
 }
 
 double g2oChi2(const PoseGraph& graph, const std::vector<Pose>& poses) {
-  return g2oChi2(graph.odometry(), poses) + g2oChi2(graph.loops(), poses);
+  double sum = 0.0;
+  for (const RelativePoseFactor* edge : edgesOf(graph)) {
+    const Pose E =
+        edge->T_from_to.inverse() * (poses[edge->from().value].inverse() * poses[edge->to().value]);
+    Tangent e;
+    e << E.translation, (E.rotation.w() < 0.0 ? -1.0 : 1.0) * E.rotation.vec();
+    sum += e.dot(informationToG2o(edge->information) * e);
+  }
+  return sum;
 }
 
 }  // namespace revisit_slam

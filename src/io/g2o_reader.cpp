@@ -36,8 +36,7 @@ class G2oReading {
     line.requireEnd();
   }
 
-  std::size_t edges() const { return edges_.size(); }
-  int lineOf(std::size_t edge) const { return edges_[edge].line; }
+  const std::vector<Edge>& edges() const { return edges_; }
 
   G2oGraph vertices() {
     std::sort(vertices_.begin(), vertices_.end(),
@@ -50,20 +49,15 @@ class G2oReading {
     return result;
   }
 
-  void addEdgeTo(PoseGraph& graph, std::size_t index) const {
-    const Edge& edge = edges_[index];
-    const Constraint constraint{nodeOf(edge.from), nodeOf(edge.to), edge.T_from_to,
-                                informationFromG2o(edge.information)};
-    if (constraint.to.value == constraint.from.value + 1)
-      graph.addOdometry(constraint);
-    else
-      graph.addLoop(constraint);
+  RelativePoseFactor factorOf(const Edge& edge) const {
+    return {
+        {nodeOf(edge.from), nodeOf(edge.to)}, edge.T_from_to, informationFromG2o(edge.information)};
   }
 
  private:
   void addVertex(G2oLine& line) {
     const std::uint64_t id = line.id();
-    if (!nodes_.emplace(id, ScanId{}).second)
+    if (!nodes_.emplace(id, NodeId{}).second)
       throw std::runtime_error("vertex " + std::to_string(id) + " is there already");
     vertices_.push_back({id, line.pose()});
   }
@@ -75,7 +69,7 @@ class G2oReading {
     edges_.push_back({from, to, T_from_to, line.symmetric(), number});
   }
 
-  ScanId nodeOf(std::uint64_t id) const {
+  NodeId nodeOf(std::uint64_t id) const {
     const auto found = nodes_.find(id);
     if (found == nodes_.end()) throw std::runtime_error("there is no vertex " + std::to_string(id));
     return found->second;
@@ -83,12 +77,12 @@ class G2oReading {
 
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::unordered_map<std::uint64_t, ScanId> nodes_;
+  std::unordered_map<std::uint64_t, NodeId> nodes_;
 };
 
 }  // namespace
 
-G2oGraph readG2o(const std::string& path) {
+G2oGraph readG2o(const std::string& path, const RobustKernel& loop_kernel) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read the pose graph '" + path + "'");
   G2oReading reading;
@@ -97,10 +91,16 @@ G2oGraph readG2o(const std::string& path) {
   try {
     while (std::getline(file, text)) reading.read(text, ++number);
     G2oGraph result = reading.vertices();
-    for (std::size_t i = 0; i < reading.edges(); ++i) {
-      number = reading.lineOf(i);
-      reading.addEdgeTo(result.graph, i);
+    std::vector<RelativePoseFactor> loops;
+    for (const Edge& edge : reading.edges()) {
+      number = edge.line;
+      const RelativePoseFactor factor = reading.factorOf(edge);
+      if (factor.to().value == factor.from().value + 1)
+        result.graph.addFactor(factor);
+      else
+        loops.push_back(factor);
     }
+    for (const RelativePoseFactor& loop : loops) result.graph.addFactor(loop, loop_kernel);
     return result;
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ", line " + std::to_string(number) + ": " + error.what());

@@ -19,8 +19,8 @@ Matrix6 clampedInverse(const Matrix6& information) {
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-Matrix6 covarianceOf(const Constraint& constraint) {
-  const Matrix6 symmetric = 0.5 * (constraint.information + constraint.information.transpose());
+Matrix6 covarianceOf(const RelativePoseFactor& link) {
+  const Matrix6 symmetric = 0.5 * (link.information + link.information.transpose());
   const Eigen::LLT<Matrix6> cholesky(symmetric);
   const Tangent pivots = cholesky.matrixLLT().diagonal().cwiseAbs2();
   if (cholesky.info() == Eigen::Success && pivots.minCoeff() > kWeakest * pivots.maxCoeff())
@@ -33,29 +33,37 @@ struct DeadReckoning {
   Pose T_first_node;
   Matrix6 covariance = Matrix6::Zero();
 
-  void advance(const Constraint& constraint) {
-    const Matrix6 A = adjoint(constraint.T_from_to.inverse());
-    T_first_node = T_first_node * constraint.T_from_to;
-    covariance = A * covariance * A.transpose() + covarianceOf(constraint);
+  void advance(const RelativePoseFactor& link) {
+    const Matrix6 A = adjoint(link.T_from_to.inverse());
+    T_first_node = T_first_node * link.T_from_to;
+    covariance = A * covariance * A.transpose() + covarianceOf(link);
   }
 };
 
 }  // namespace
 
-Constraint composed(const ChainPiece& piece) {
+const RelativePoseFactor* chainLink(const Factor& factor) {
+  const auto* link = std::get_if<RelativePoseFactor>(&factor.measurement);
+  const bool is_link = link != nullptr && factor.kernel.type == KernelType::none &&
+                       link->to().value == link->from().value + 1;
+  return is_link ? link : nullptr;
+}
+
+RelativePoseFactor composed(const ChainPiece& piece) {
   if (piece.size() == 1) return *piece.front();
   DeadReckoning last;
-  for (const Constraint* constraint : piece) last.advance(*constraint);
-  return {piece.front()->from, piece.back()->to, last.T_first_node,
+  for (const RelativePoseFactor* link : piece) last.advance(*link);
+  return {{piece.front()->from(), piece.back()->to()},
+          last.T_first_node,
           last.covariance.llt().solve(Matrix6::Identity())};
 }
 
 std::vector<Pose> bentPiece(const ChainPiece& piece, const Pose& T_map_first,
                             const Pose& T_map_last) {
   std::vector<DeadReckoning> nodes(1);
-  for (const Constraint* constraint : piece) {
+  for (const RelativePoseFactor* link : piece) {
     nodes.push_back(nodes.back());
-    nodes.back().advance(*constraint);
+    nodes.back().advance(*link);
   }
   const Pose T_last_first = nodes.back().T_first_node.inverse();
   const Tangent deviation = log(T_last_first * (T_map_first.inverse() * T_map_last));

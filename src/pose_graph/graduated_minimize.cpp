@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "revisit_slam/pose_graph/graph_cost.h"
 
@@ -12,23 +13,33 @@ namespace {
 /// Factor between two squared scales, and how far each is minimised before the next.
 constexpr double kNarrowing = 2.0;
 constexpr MinimizeLimits kBetween{4, 1e-3};
+constexpr double kNoKernel = std::numeric_limits<double>::infinity();
 
-double largestLoopChi2(const PoseGraph& graph, const std::vector<Pose>& poses) {
-  const std::vector<double> chi2 = chi2Of(graph.loops(), poses);
-  return chi2.empty() ? 0.0 : *std::max_element(chi2.begin(), chi2.end());
+/// Of the factors that are hardly felt from afar.
+double largestChi2(const PoseGraph& graph, const std::vector<Pose>& poses) {
+  double largest = 0.0;
+  for (const Factor& factor : graph.factors())
+    if (factor.kernel.forgetsFarLoops()) largest = std::max(largest, factor.chi2(poses));
+  return largest;
+}
+
+double smallestScale(const PoseGraph& graph) {
+  double smallest = kNoKernel;
+  for (const Factor& factor : graph.factors())
+    if (factor.kernel.forgetsFarLoops()) smallest = std::min(smallest, factor.kernel.scale);
+  return smallest;
 }
 
 Minimum minimizeNarrowing(const PoseGraph& graph, const std::vector<Pose>& start,
-                          const RobustKernel& kernel, const MinimizeLimits& limits) {
-  Minimum minimum = minimize(graph, start, RobustKernel{}, limits);
-  RobustKernel wide = kernel;
-  wide.scale = std::sqrt(2.0 * largestLoopChi2(graph, minimum.poses));
+                          const MinimizeLimits& limits) {
+  Minimum minimum = minimize(graph, start, limits, kNoKernel);
+  double scale = std::sqrt(2.0 * largestChi2(graph, minimum.poses));
   int iterations = minimum.iterations;
-  for (; wide.scale > kernel.scale; wide.scale /= std::sqrt(kNarrowing)) {
-    minimum = minimize(graph, minimum.poses, wide, kBetween);
+  for (; scale > smallestScale(graph); scale /= std::sqrt(kNarrowing)) {
+    minimum = minimize(graph, minimum.poses, kBetween, scale);
     iterations += minimum.iterations;
   }
-  minimum = minimize(graph, minimum.poses, kernel, limits);
+  minimum = minimize(graph, minimum.poses, limits);
   minimum.iterations += iterations;
   return minimum;
 }
@@ -36,15 +47,19 @@ Minimum minimizeNarrowing(const PoseGraph& graph, const std::vector<Pose>& start
 }  // namespace
 
 Minimum graduatedMinimize(const PoseGraph& graph, const std::vector<Pose>& start,
-                          const RobustKernel& kernel, const MinimizeLimits& limits) {
-  Minimum straight = minimize(graph, start, kernel, limits);
-  if (!kernel.forgetsFarLoops()) return straight;
-  Minimum narrowed = minimizeNarrowing(graph, start, kernel, limits);
+                          const MinimizeLimits& limits) {
+  Minimum straight = minimize(graph, start, limits);
+  if (!forgetsFarLoops(graph)) return straight;
+  Minimum narrowed = minimizeNarrowing(graph, start, limits);
   narrowed.iterations += straight.iterations;
   straight.iterations = narrowed.iterations;
-  const bool better =
-      graphCost(graph, narrowed.poses, kernel) <= graphCost(graph, straight.poses, kernel);
+  const bool better = graphCost(graph, narrowed.poses) <= graphCost(graph, straight.poses);
   return better ? narrowed : straight;
+}
+
+bool forgetsFarLoops(const PoseGraph& graph) {
+  return std::any_of(graph.factors().begin(), graph.factors().end(),
+                     [](const Factor& factor) { return factor.kernel.forgetsFarLoops(); });
 }
 
 }  // namespace revisit_slam

@@ -1,40 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/pose_graph/graph_cost.h"
 
-#include <numeric>
-
-#include "revisit_slam/pose_graph/relative_pose_cost.h"
-
 namespace revisit_slam {
+namespace {
 
-std::vector<double> chi2Of(const std::vector<Constraint>& constraints,
-                           const std::vector<Pose>& poses) {
+struct Rho {
+  double value, slope;
+};
+
+Rho evaluate(const RobustKernel& kernel, double chi2) {
+  const auto loss = makeLoss(kernel);
+  if (!loss) return {chi2, 1.0};
+  double rho[3] = {};
+  loss->Evaluate(chi2, rho);
+  return {rho[0], rho[1]};
+}
+
+}  // namespace
+
+std::vector<double> chi2Of(const PoseGraph& graph, const std::vector<Pose>& poses) {
   std::vector<double> result;
-  result.reserve(constraints.size());
-  for (const Constraint& constraint : constraints)
-    result.push_back(chi2(constraint, poses[constraint.from.value], poses[constraint.to.value]));
+  result.reserve(graph.factors().size());
+  for (const Factor& factor : graph.factors()) result.push_back(factor.chi2(poses));
   return result;
 }
 
-double graphCost(const PoseGraph& graph, const std::vector<Pose>& poses,
-                 const RobustKernel& kernel) {
-  const std::vector<double> odometry = chi2Of(graph.odometry(), poses);
-  double sum = std::accumulate(odometry.begin(), odometry.end(), 0.0);
-  const auto loss = makeLoss(kernel);
-  double rho[3] = {};
-  for (const double chi2 : chi2Of(graph.loops(), poses)) {
-    if (loss) loss->Evaluate(chi2, rho);
-    sum += loss ? rho[0] : chi2;
-  }
+double graphCost(const PoseGraph& graph, const std::vector<double>& chi2) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < chi2.size(); ++i)
+    sum += evaluate(graph.factors()[i].kernel, chi2[i]).value;
   return 0.5 * sum;
 }
 
+double graphCost(const PoseGraph& graph, const std::vector<Pose>& poses) {
+  return graphCost(graph, chi2Of(graph, poses));
+}
+
 double weightOf(const RobustKernel& kernel, double chi2) {
-  const auto loss = makeLoss(kernel);
-  if (!loss) return 1.0;
-  double rho[3] = {};
-  loss->Evaluate(chi2, rho);
-  return rho[1];
+  return evaluate(kernel, chi2).slope;
 }
 
 }  // namespace revisit_slam

@@ -7,10 +7,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "revisit_slam/pose_graph/factor_cost.h"
 #include "revisit_slam/pose_graph/gauge.h"
 #include "revisit_slam/pose_graph/pose_block.h"
-#include "revisit_slam/pose_graph/relative_pose_cost.h"
 
 namespace revisit_slam {
 namespace {
@@ -28,8 +29,8 @@ constexpr int kMaxInvalidSteps = 15;
 constexpr double kRestOfTolerance = 1e-2;
 constexpr double kRoundOff = 1e-12;
 
-/// Ends after a step that lowered the cost by a smaller share than the tolerance. The test that Ceres
-/// makes itself comes before such a step is taken, and throws it away with the work it took.
+/// Ends after a step that lowered the cost by a smaller share than the tolerance. The test that
+/// Ceres makes itself comes before such a step is taken, and throws it away with the work it took.
 class EndAfterSmallStep : public ceres::IterationCallback {
  public:
   explicit EndAfterSmallStep(double tolerance) : tolerance_(tolerance) {}
@@ -66,21 +67,26 @@ ceres::Problem::Options problemOptions() {
   return options;
 }
 
+RobustKernel widened(const RobustKernel& kernel, double least_scale) {
+  if (!kernel.forgetsFarLoops()) return kernel;
+  if (std::isinf(least_scale)) return {};
+  return {kernel.type, std::max(kernel.scale, least_scale)};
+}
+
 /// The graph as Ceres sees it.
 class GraphProblem {
  public:
-  GraphProblem(const PoseGraph& graph, const std::vector<Pose>& start, const RobustKernel& kernel)
-      : loss_(makeLoss(kernel)), problem_(problemOptions()) {
+  GraphProblem(const PoseGraph& graph, const std::vector<Pose>& start, double least_scale)
+      : problem_(problemOptions()) {
     blocks_.reserve(start.size());
-    for (const Pose& T_map_scan : start) blocks_.push_back(blockOf(T_map_scan));
+    for (const Pose& T_map_node : start) blocks_.push_back(blockOf(T_map_node));
     auto* manifold = new PoseManifold;  // owned by the problem
     for (PoseBlock& block : blocks_) {
       problem_.AddParameterBlock(block.data(), PoseChart::kAmbient);
       setManifold(problem_, block.data(), manifold);
     }
-    add(graph.odometry(), nullptr);
-    add(graph.loops(), loss_.get());
-    for (const ScanId id : gaugeNodes(graph))
+    for (const Factor& factor : graph.factors()) add(factor, least_scale);
+    for (const NodeId id : gaugeNodes(graph))
       problem_.SetParameterBlockConstant(blocks_[id.value].data());
   }
 
@@ -99,14 +105,15 @@ class GraphProblem {
   }
 
  private:
-  void add(const std::vector<Constraint>& constraints, ceres::LossFunction* loss) {
-    for (const Constraint& constraint : constraints)
-      problem_.AddResidualBlock(new RelativePoseCost(constraint), loss,
-                                blocks_[constraint.from.value].data(),
-                                blocks_[constraint.to.value].data());
+  void add(const Factor& factor, double least_scale) {
+    auto loss = makeLoss(widened(factor.kernel, least_scale));
+    std::vector<double*> nodes;
+    for (const NodeId node : factor.nodes()) nodes.push_back(blocks_[node.value].data());
+    problem_.AddResidualBlock(makeCost(factor).release(), loss.get(), nodes);
+    if (loss) losses_.push_back(std::move(loss));
   }
 
-  std::unique_ptr<ceres::LossFunction> loss_;
+  std::vector<std::unique_ptr<ceres::LossFunction>> losses_;
   std::vector<PoseBlock> blocks_;
   ceres::Problem problem_;
 };
@@ -117,8 +124,7 @@ ceres::Solver::Options solverOptions(const MinimizeLimits& limits) {
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = limits.max_iterations;
-  options.function_tolerance =
-      std::max(kRestOfTolerance * limits.function_tolerance, kRoundOff);
+  options.function_tolerance = std::max(kRestOfTolerance * limits.function_tolerance, kRoundOff);
   options.parameter_tolerance = 1e-12;  // of the length of all poses together
   options.initial_trust_region_radius = kInitialTrustRegion;
   options.max_num_consecutive_invalid_steps = kMaxInvalidSteps;
@@ -141,9 +147,9 @@ bool areFinite(const std::vector<Pose>& poses) {
 
 }  // namespace
 
-Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start, const RobustKernel& kernel,
-                 const MinimizeLimits& limits) {
-  GraphProblem problem(graph, start, kernel);
+Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start,
+                 const MinimizeLimits& limits, double least_scale) {
+  GraphProblem problem(graph, start, least_scale);
   EndAfterSmallStep end_after_small_step(limits.function_tolerance);
   ceres::Solver::Options options = solverOptions(limits);
   options.callbacks.push_back(&end_after_small_step);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace revisit_slam {
 namespace {
@@ -13,28 +14,26 @@ bool isFinite(const Pose& T) {
   return std::isfinite(T.translation.squaredNorm()) && T.rotation.coeffs().allFinite();
 }
 
-bool areFinite(const std::vector<Constraint>& constraints) {
-  return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& constraint) {
-    return isFinite(constraint.T_from_to) && std::isfinite(constraint.information.squaredNorm());
-  });
+void requireDistinct(FactorNodes nodes, std::size_t known) {
+  for (const NodeId& node : nodes)
+    if (node.value >= known || std::count(nodes.begin(), nodes.end(), node) > 1)
+      throw std::invalid_argument("a factor cannot bind node " + std::to_string(node.value) +
+                                  " of " + std::to_string(known) +
+                                  (node.value < known ? " twice" : ""));
 }
 
 }  // namespace
 
-ScanId PoseGraph::addNode(const Pose& T_map_scan) {
-  poses_.push_back(T_map_scan);
-  return ScanId{static_cast<std::uint32_t>(poses_.size() - 1)};
+NodeId PoseGraph::addNode(const Pose& T_map_node) {
+  poses_.push_back(T_map_node);
+  return NodeId{static_cast<std::uint32_t>(poses_.size() - 1)};
 }
 
-void PoseGraph::addOdometry(const Constraint& constraint) {
-  requireNodesOf(constraint);
-  odometry_.push_back(constraint);
-}
-
-LoopId PoseGraph::addLoop(const Constraint& constraint) {
-  requireNodesOf(constraint);
-  loops_.push_back(constraint);
-  return LoopId{static_cast<std::uint32_t>(loops_.size() - 1)};
+FactorId PoseGraph::addFactor(const Measurement& measurement, const RobustKernel& kernel) {
+  Factor factor{measurement, kernel};
+  requireDistinct(factor.nodes(), poses_.size());
+  factors_.push_back(std::move(factor));
+  return FactorId{static_cast<std::uint32_t>(factors_.size() - 1)};
 }
 
 void PoseGraph::correct(const std::vector<Pose>& solved) {
@@ -48,15 +47,9 @@ void PoseGraph::correct(const std::vector<Pose>& solved) {
     poses_[i] = T_solved_before * poses_[i];
 }
 
-void PoseGraph::requireNodesOf(const Constraint& constraint) const {
-  const auto [from, to] = std::pair(constraint.from.value, constraint.to.value);
-  if (from == to || std::max(from, to) >= poses_.size())
-    throw std::invalid_argument("constraint from node " + std::to_string(from) + " to node " +
-                                std::to_string(to) + " of " + std::to_string(poses_.size()));
-}
-
 bool isFinite(const PoseGraph& graph) {
-  return areFinite(graph.odometry()) && areFinite(graph.loops()) &&
+  const auto is_finite = [](const Factor& factor) { return factor.isFinite(); };
+  return std::all_of(graph.factors().begin(), graph.factors().end(), is_finite) &&
          std::all_of(graph.poses().begin(), graph.poses().end(),
                      [](const Pose& T) { return isFinite(T); });
 }

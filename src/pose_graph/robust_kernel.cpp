@@ -5,6 +5,14 @@
 
 namespace revisit_slam {
 
+KernelType kernelTypeOf(const std::string& name) {
+  if (name == "none") return KernelType::none;
+  if (name == "huber") return KernelType::huber;
+  if (name == "cauchy") return KernelType::cauchy;
+  if (name == "geman_mcclure") return KernelType::geman_mcclure;
+  throw std::invalid_argument("there is no robust kernel '" + name + "'");
+}
+
 void GemanMcClureLoss::Evaluate(double squared_norm, double rho[3]) const {
   const double inverse = 1.0 / (scale2_ + squared_norm);
   const double ratio = scale2_ * inverse;
@@ -14,11 +22,17 @@ void GemanMcClureLoss::Evaluate(double squared_norm, double rho[3]) const {
 }
 
 std::unique_ptr<ceres::LossFunction> makeLoss(const RobustKernel& kernel) {
-  if (kernel.name == "none") return nullptr;
-  if (kernel.name == "huber") return std::make_unique<ceres::HuberLoss>(kernel.scale);
-  if (kernel.name == "cauchy") return std::make_unique<ceres::CauchyLoss>(kernel.scale);
-  if (kernel.name == "geman_mcclure") return std::make_unique<GemanMcClureLoss>(kernel.scale);
-  throw std::invalid_argument("there is no robust kernel '" + kernel.name + "'");
+  switch (kernel.type) {
+    case KernelType::none:
+      break;
+    case KernelType::huber:
+      return std::make_unique<ceres::HuberLoss>(kernel.scale);
+    case KernelType::cauchy:
+      return std::make_unique<ceres::CauchyLoss>(kernel.scale);
+    case KernelType::geman_mcclure:
+      return std::make_unique<GemanMcClureLoss>(kernel.scale);
+  }
+  return nullptr;
 }
 
 }  // namespace revisit_slam

@@ -10,15 +10,16 @@
 namespace revisit_slam {
 
 void SlamGraph::add(const GraphNode& node) {
-  if (node.id.value != nodes_.size())
+  if (nodeOfScan(node.id).value != nodes_.size())
     throw std::invalid_argument("scan " + std::to_string(node.id.value) + " cannot follow " +
                                 std::to_string(nodes_.size()) + " nodes");
   nodes_.push_back(node);
 }
 
 Pose SlamGraph::pose(ScanId id) const {
-  return id.value < optimised_.size() ? optimised_[id.value]
-                                      : T_map_odom_ * nodes_.at(id.value).T_odom_base;
+  const NodeId node = nodeOfScan(id);
+  return node.value < optimised_.size() ? optimised_[node.value]
+                                        : T_map_odom_ * nodes_.at(node.value).T_odom_base;
 }
 
 std::vector<Pose> SlamGraph::poses() const {
@@ -28,19 +29,28 @@ std::vector<Pose> SlamGraph::poses() const {
   return poses;
 }
 
-PoseGraph SlamGraph::graphUpTo(std::size_t nodes) const {
-  PoseGraph graph;
+RelativePoseFactor SlamGraph::factorOf(const Constraint& constraint) const {
+  return {{nodeOfScan(constraint.from), nodeOfScan(constraint.to)},
+          constraint.T_from_to,
+          constraint.information};
+}
+
+SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
+  LoopGraph result;
+  PoseGraph& graph = result.graph;
   const std::vector<std::size_t> active = activeLoops();
   for (std::size_t i = 0; i < nodes; ++i) {
     // Without loops nothing is left of what others that were taken back have done.
     graph.addNode(active.empty() ? nodes_[i].T_odom_base : pose(nodes_[i].id));
     if (i == 0) continue;
-    graph.addOdometry({nodes_[i - 1].id, nodes_[i].id,
-                       nodes_[i - 1].T_odom_base.inverse() * nodes_[i].T_odom_base,
-                       nodes_[i].information});
+    graph.addFactor(factorOf({nodes_[i - 1].id, nodes_[i].id,
+                              nodes_[i - 1].T_odom_base.inverse() * nodes_[i].T_odom_base,
+                              nodes_[i].information}));
   }
-  for (const std::size_t loop : active) graph.addLoop(loops_[loop].loop.constraint);
-  return graph;
+  const RobustKernel kernel = config_.loop_kernel.value();
+  for (const std::size_t i : active)
+    result.loops.push_back({i, graph.addFactor(factorOf(loops_[i].loop.constraint), kernel)});
+  return result;
 }
 
 std::vector<std::size_t> SlamGraph::activeLoops() const {
@@ -58,44 +68,45 @@ bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loo
     edge.loop = loop;
     loops_.push_back(edge);
   }
-  const std::vector<std::size_t> active = activeLoops();
-  PoseGraphSolution solution = solve(graphUpTo(last.value + 1), config_.solver);
-  for (std::size_t i = 0; i < solution.loops.size(); ++i)
-    if (active[i] >= first_new) loops_[active[i]].chi2_before = solution.loops[i].chi2_before;
+  const LoopGraph graph = graphUpTo(nodeOfScan(last).value + 1);
+  PoseGraphSolution solution = solve(graph.graph, config_.solver);
+  for (const auto& [loop, factor] : graph.loops)
+    if (loop >= first_new) loops_[loop].chi2_before = solution.factors[factor.value].chi2_before;
   const bool good = solution.outcome == SolveOutcome::no_loops ||
-                    (solution.usable() && !tears(active, first_new, solution.loops));
+                    (solution.usable() && !tears(graph.loops, first_new, solution.factors));
   if (good) {
-    take(solution, active);
+    take(solution, graph.loops);
   } else {
     for (std::size_t i = first_new; i < loops_.size(); ++i)
       loops_[i].state = LoopState::contradicted;
   }
   solution.poses.clear();
+  solution.factors.clear();
   last_solution_ = std::move(solution);
   return good;
 }
 
 /// Every loop has a vote: new ones that pull against established ones that no longer do.
-bool SlamGraph::tears(const std::vector<std::size_t>& active, std::size_t first_new,
-                         const std::vector<LoopResidual>& residuals) const {
+bool SlamGraph::tears(const std::vector<LoopFactor>& active, std::size_t first_new,
+                      const std::vector<FactorResidual>& residuals) const {
   const auto pulls = [&](double weight) { return weight >= config_.pulling_weight; };
   std::size_t pulling = 0, silenced = 0, added = 0;
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    if (active[i] >= first_new) {
+  for (const auto& [loop, factor] : active) {
+    const bool still_pulls = pulls(residuals[factor.value].weight);
+    if (loop >= first_new) {
       ++added;
-      if (pulls(residuals[i].weight)) ++pulling;
-    } else if (pulls(loops_[active[i]].weight) && !pulls(residuals[i].weight)) {
+      if (still_pulls) ++pulling;
+    } else if (pulls(loops_[loop].weight) && !still_pulls) {
       ++silenced;
     }
   }
   return added > 0 && (pulling == 0 || silenced > pulling);
 }
 
-void SlamGraph::take(PoseGraphSolution& solution, const std::vector<std::size_t>& active) {
-  for (std::size_t i = 0; i < solution.loops.size(); ++i) {
-    LoopEdge& edge = loops_[active[i]];
-    edge.chi2_after = solution.loops[i].chi2_after;
-    edge.weight = solution.loops[i].weight;
+void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active) {
+  for (const auto& [loop, factor] : active) {
+    loops_[loop].chi2_after = solution.factors[factor.value].chi2_after;
+    loops_[loop].weight = solution.factors[factor.value].weight;
   }
   const GraphNode& end = nodes_[solution.poses.size() - 1];
   moved_end_ = (solution.poses.back().translation - pose(end.id).translation).norm();

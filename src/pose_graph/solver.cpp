@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "revisit_slam/pose_graph/chain_reduction.h"
 #include "revisit_slam/pose_graph/graduated_minimize.h"
@@ -15,26 +16,24 @@ namespace {
 
 /// A start for the whole graph, with the right loops near their minimum: from the reduced graph if
 /// that is much smaller, from the whole graph otherwise.
-Minimum coarseSolution(const PoseGraph& graph, const RobustKernel& kernel,
-                       const MinimizeLimits& limits) {
+Minimum coarseSolution(const PoseGraph& graph, const MinimizeLimits& limits) {
   const ChainReduction reduction(graph);
   if (2 * reduction.reduced().poses().size() > graph.poses().size())
-    return kernel.forgetsFarLoops() ? graduatedMinimize(graph, graph.poses(), kernel, limits)
-                                    : Minimum{Minimization::converged, graph.poses(), 0};
-  Minimum coarse =
-      graduatedMinimize(reduction.reduced(), reduction.reduced().poses(), kernel, limits);
+    return forgetsFarLoops(graph) ? graduatedMinimize(graph, graph.poses(), limits)
+                                  : Minimum{Minimization::converged, graph.poses(), 0};
+  Minimum coarse = graduatedMinimize(reduction.reduced(), reduction.reduced().poses(), limits);
   if (coarse.outcome == Minimization::failed) return {coarse.outcome, graph.poses(), 0};
   coarse.poses = reduction.expand(coarse.poses);
   return coarse;
 }
 
 /// Minimises from the coarse solution, and from the given poses should that end higher than them.
-Minimum fineSolution(const PoseGraph& graph, const Minimum& coarse, const RobustKernel& kernel,
-                     const MinimizeLimits& limits, double initial_cost) {
-  Minimum fine = minimize(graph, coarse.poses, kernel, limits);
-  const bool lower = graphCost(graph, fine.poses, kernel) <= initial_cost;
+Minimum fineSolution(const PoseGraph& graph, const Minimum& coarse, const MinimizeLimits& limits,
+                     double initial_cost) {
+  Minimum fine = minimize(graph, coarse.poses, limits);
+  const bool lower = graphCost(graph, fine.poses) <= initial_cost;
   if (fine.outcome != Minimization::failed && lower) return fine;
-  return minimize(graph, graph.poses(), kernel, limits);
+  return minimize(graph, graph.poses(), limits);
 }
 
 SolveOutcome outcomeOf(Minimization outcome) {
@@ -49,41 +48,52 @@ SolveOutcome outcomeOf(Minimization outcome) {
   return SolveOutcome::failed;
 }
 
-std::vector<LoopResidual> loopResiduals(const PoseGraph& graph, const std::vector<Pose>& solved,
-                                        const RobustKernel& kernel) {
-  const std::vector<double> before = chi2Of(graph.loops(), graph.poses());
-  const std::vector<double> after = chi2Of(graph.loops(), solved);
-  std::vector<LoopResidual> residuals;
+std::vector<FactorResidual> residualsOf(const PoseGraph& graph, const std::vector<double>& before,
+                                        const std::vector<double>& after) {
+  std::vector<FactorResidual> residuals;
+  residuals.reserve(before.size());
   for (std::size_t i = 0; i < before.size(); ++i)
-    residuals.push_back({before[i], after[i], weightOf(kernel, after[i])});
+    residuals.push_back({before[i], after[i], weightOf(graph.factors()[i].kernel, after[i])});
   return residuals;
 }
 
 /// Fills in everything but the times.
 void minimizeInto(PoseGraphSolution& solution, const PoseGraph& graph, const SolverConfig& config) {
-  const RobustKernel kernel{config.kernel, config.kernel_scale};
   const MinimizeLimits limits{config.max_iterations, config.function_tolerance};
-  solution.initial_cost = solution.final_cost = graphCost(graph, graph.poses(), kernel);
+  const std::vector<double> before = chi2Of(graph, graph.poses());
+  solution.initial_cost = solution.final_cost = graphCost(graph, before);
   if (!std::isfinite(solution.initial_cost)) return;
-  const Minimum coarse = coarseSolution(graph, kernel, limits);
-  const Minimum fine = fineSolution(graph, coarse, kernel, limits, solution.initial_cost);
+  const Minimum coarse = coarseSolution(graph, limits);
+  Minimum fine = fineSolution(graph, coarse, limits, solution.initial_cost);
+  const std::vector<double> after = chi2Of(graph, fine.poses);
   solution.outcome = outcomeOf(fine.outcome);
-  solution.poses = fine.poses;
-  solution.final_cost = graphCost(graph, fine.poses, kernel);
+  solution.poses = std::move(fine.poses);
+  solution.final_cost = graphCost(graph, after);
   solution.coarse_iterations = coarse.iterations;
   solution.iterations = fine.iterations;
-  solution.loops = loopResiduals(graph, fine.poses, kernel);
+  solution.factors = residualsOf(graph, before, after);
+}
+
+/// Whether nothing but one chain of odometry leads to any node.
+bool isOdometryAlone(const PoseGraph& graph) {
+  std::vector<bool> reached(graph.poses().size(), false);
+  for (const Factor& factor : graph.factors()) {
+    const RelativePoseFactor* link = chainLink(factor);
+    if (link == nullptr || reached[link->to().value]) return false;
+    reached[link->to().value] = true;
+  }
+  return true;
 }
 
 PoseGraphSolution solveHere(const PoseGraph& graph, const SolverConfig& config) {
   PoseGraphSolution solution;
   solution.poses = graph.poses();
-  solution.loops.resize(graph.loops().size());
-  if (graph.loops().empty()) {
-    solution.outcome = isFinite(graph) ? SolveOutcome::no_loops : SolveOutcome::failed;
-  } else if (isFinite(graph)) {
+  solution.factors.resize(graph.factors().size());
+  if (!isFinite(graph)) return solution;
+  if (isOdometryAlone(graph))
+    solution.outcome = SolveOutcome::no_loops;
+  else
     minimizeInto(solution, graph, config);
-  }
   return solution;
 }
 

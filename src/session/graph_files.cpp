@@ -42,8 +42,8 @@ void writeLoops(const std::string& path, const SlamGraph& graph) {
     table << edge.id.value << "," << toString(edge.state) << "," << toString(loop.origin) << ","
           << loop.target_map.value << "," << loop.source_map.value << "," << loop.target.value << ","
           << loop.source.value << "," << from.value << "," << to.value << ","
-          << stampText(graph.nodes()[from.value].stamp) << ","
-          << stampText(graph.nodes()[to.value].stamp) << "," << numbers << "\n";
+          << stampText(graph.node(from).stamp) << ","
+          << stampText(graph.node(to).stamp) << "," << numbers << "\n";
   }
   writeWholeText(path, table.str());
 }

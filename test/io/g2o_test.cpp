@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "revisit_slam/pose_graph/relative_pose_cost.h"
 #include "support/random_numbers.h"
 #include "support/temporary_folder.h"
 
@@ -37,16 +36,20 @@ TEST(G2o, ReadsNodesInTheOrderOfTheirIds) {
   EXPECT_EQ(read.ids, (std::vector<std::uint64_t>{10, 11}));
   EXPECT_EQ(read.graph.poses()[1].translation.x(), 1.0);
   EXPECT_EQ(read.graph.poses()[1].rotation.w(), 1.0);  // made a unit quaternion
-  ASSERT_EQ(read.graph.odometry().size(), 1u);
-  EXPECT_EQ(read.graph.odometry()[0].to, ScanId{1});
+  ASSERT_EQ(read.graph.factors().size(), 1u);
+  EXPECT_EQ(read.graph.factors()[0].nodes().begin()[1], NodeId{1});
 }
 
 TEST(G2o, EdgesOtherThanToTheNextNodeAreLoops) {
   const TemporaryFolder folder;
   const std::string back = "EDGE_SE3:QUAT 11 10 -1 0 0 0 0 0 1 " + kIdentity + "\n";
-  const G2oGraph read = readG2o(folder.with("a.g2o", kVertices + kEdge + back));
-  EXPECT_EQ(read.graph.odometry().size(), 1u);
-  EXPECT_EQ(read.graph.loops().size(), 1u);
+  const RobustKernel kernel{KernelType::huber, 3.0};
+  const G2oGraph read = readG2o(folder.with("a.g2o", kVertices + back + kEdge), kernel);
+  ASSERT_EQ(read.graph.factors().size(), 2u);  // odometry first
+  EXPECT_EQ(read.graph.factors()[0].kernel.type, KernelType::none);
+  EXPECT_EQ(read.graph.factors()[1].kernel.type, KernelType::huber);
+  EXPECT_EQ(read.graph.factors()[1].kernel.scale, 3.0);
+  EXPECT_EQ(*read.graph.factors()[1].nodes().begin(), NodeId{1});
 }
 
 TEST(G2o, WhatIsWrittenReadsBackTheSame) {
@@ -54,18 +57,21 @@ TEST(G2o, WhatIsWrittenReadsBackTheSame) {
   G2oGraph written;
   written.ids = {3, 7, 8646911284551352320u};
   for (int i = 0; i < 3; ++i) written.graph.addNode(random.pose(1e4));
-  written.graph.addOdometry({ScanId{0}, ScanId{1}, random.pose(5), someInformation(random)});
-  written.graph.addLoop({ScanId{2}, ScanId{0}, random.pose(5), someInformation(random)});
+  for (const auto& nodes : {std::array{NodeId{0}, NodeId{1}}, std::array{NodeId{2}, NodeId{0}}})
+    written.graph.addFactor(RelativePoseFactor{nodes, random.pose(5), someInformation(random)});
+  written.graph.addFactor(PositionFactor{{NodeId{2}}});  // no such lines
   const TemporaryFolder folder;
   writeG2o(folder.file("a.g2o"), written);
   const G2oGraph read = readG2o(folder.file("a.g2o"));
   EXPECT_EQ(read.ids, written.ids);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_LT(distanceBetween(read.graph.poses()[i], written.graph.poses()[i]), 1e-11);
-  for (const auto& [a, b] : {std::pair(read.graph.odometry()[0], written.graph.odometry()[0]),
-                             std::pair(read.graph.loops()[0], written.graph.loops()[0])}) {
-    EXPECT_EQ(a.from, b.from);
-    EXPECT_EQ(a.to, b.to);
+  ASSERT_EQ(read.graph.factors().size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& a = std::get<RelativePoseFactor>(read.graph.factors()[i].measurement);
+    const auto& b = std::get<RelativePoseFactor>(written.graph.factors()[i].measurement);
+    EXPECT_EQ(a.nodes, b.nodes);
+    EXPECT_LT(distanceBetween(a.T_from_to, b.T_from_to), 1e-12);
     EXPECT_LT((a.information - b.information).norm(), 1e-12);
   }
 }
@@ -96,18 +102,19 @@ TEST(G2o, ConvertedInformationGivesTheSameChi2OfSmallResiduals) {
   RandomNumbers random(2);
   for (int i = 0; i < 20; ++i) {
     const Matrix6 L = someInformation(random);
-    const Constraint constraint{ScanId{0}, ScanId{1}, random.pose(5), informationFromG2o(L)};
+    const RelativePoseFactor measured{
+        {NodeId{0}, NodeId{1}}, random.pose(5), informationFromG2o(L)};
     const Pose T_i = random.pose(5);
-    const Pose T_j = T_i * constraint.T_from_to * exp(random.tangent(1e-4, 1e-4));
-    const Pose E = constraint.T_from_to.inverse() * (T_i.inverse() * T_j);
+    const Pose T_j = T_i * measured.T_from_to * exp(random.tangent(1e-4, 1e-4));
+    const Pose E = measured.T_from_to.inverse() * (T_i.inverse() * T_j);
     Tangent e;
     e << E.translation, (E.rotation.w() < 0.0 ? -1.0 : 1.0) * E.rotation.vec();
     const double theirs = e.dot(L * e);
-    EXPECT_NEAR(chi2(constraint, T_i, T_j), theirs, 1e-3 * theirs);
+    EXPECT_NEAR((Factor{measured, {}}.chi2({T_i, T_j})), theirs, 1e-3 * theirs);
     PoseGraph graph;
     graph.addNode(T_i);
     graph.addNode(T_j);
-    graph.addOdometry(constraint);
+    graph.addFactor(measured);
     EXPECT_NEAR(g2oChi2(graph, graph.poses()), theirs, 1e-9 * theirs);
     EXPECT_LT((informationToG2o(informationFromG2o(L)) - L).norm(), 1e-14 * L.norm());
   }

@@ -10,30 +10,31 @@
 namespace revisit_slam {
 namespace {
 
-/// A curve of a few metres with differing, correlated constraints.
-std::vector<Constraint> someChain(std::uint32_t length) {
+/// A curve of a few metres with differing, correlated links.
+std::vector<RelativePoseFactor> someChain(std::uint32_t length) {
   RandomNumbers random(4);
-  std::vector<Constraint> chain;
+  std::vector<RelativePoseFactor> chain;
   for (std::uint32_t i = 0; i < length; ++i) {
     const Pose step{expSO3(random.tangent(0, 0.3).tail<3>()), {1.0, random.uniform(-0.2, 0.2), 0}};
-    chain.push_back({ScanId{i}, ScanId{i + 1}, step,
+    chain.push_back({{NodeId{i}, NodeId{i + 1}},
+                     step,
                      correlatedInformation(random.uniform(0.01, 0.1), random.uniform(1e-3, 1e-2))});
   }
   return chain;
 }
 
-ChainPiece pieceOf(const std::vector<Constraint>& chain) {
+ChainPiece pieceOf(const std::vector<RelativePoseFactor>& chain) {
   ChainPiece piece;
-  for (const Constraint& constraint : chain) piece.push_back(&constraint);
+  for (const RelativePoseFactor& link : chain) piece.push_back(&link);
   return piece;
 }
 
 TEST(ChainPiece, ComposesAsTheChainMinimisedWithItsEndHeld) {
-  const std::vector<Constraint> chain = someChain(6);
+  const std::vector<RelativePoseFactor> chain = someChain(6);
   const ChainPiece piece = pieceOf(chain);
-  const Constraint whole = composed(piece);
-  EXPECT_EQ(whole.from, ScanId{0});
-  EXPECT_EQ(whole.to, ScanId{6});
+  const RelativePoseFactor whole = composed(piece);
+  EXPECT_EQ(whole.from(), NodeId{0});
+  EXPECT_EQ(whole.to(), NodeId{6});
   RandomNumbers random(5);
   for (int trial = 0; trial < 5; ++trial) {
     const Tangent deviation = 1e-4 * random.tangent(1.0, 1.0);
@@ -42,18 +43,18 @@ TEST(ChainPiece, ComposesAsTheChainMinimisedWithItsEndHeld) {
     graph.addNode({});
     for (const Pose& T : bentPiece(piece, {}, T_map_last)) graph.addNode(T);
     graph.addNode(T_map_last);
-    for (const Constraint& constraint : chain) graph.addOdometry(constraint);
-    Constraint held{ScanId{0}, ScanId{6}, T_map_last, 1e16 * Matrix6::Identity()};
-    graph.addLoop(held);
-    const Minimum minimum = minimize(graph, graph.poses(), {}, {50, 1e-12});
-    const double least = graphCost(graph, minimum.poses, {});
+    for (const RelativePoseFactor& link : chain) graph.addFactor(link);
+    const RelativePoseFactor held{{NodeId{0}, NodeId{6}}, T_map_last, 1e16 * Matrix6::Identity()};
+    graph.addFactor(held);
+    const Minimum minimum = minimize(graph, graph.poses(), {50, 1e-12});
+    const double least = graphCost(graph, minimum.poses);
     EXPECT_NEAR(0.5 * deviation.dot(whole.information * deviation), least, 1e-3 * least);
-    EXPECT_NEAR(graphCost(graph, graph.poses(), {}), least, 1e-3 * least);  // as it was bent
+    EXPECT_NEAR(graphCost(graph, graph.poses()), least, 1e-3 * least);  // as it was bent
   }
 }
 
 TEST(ChainPiece, UndisturbedChainIsDeadReckoning) {
-  const std::vector<Constraint> chain = someChain(20);
+  const std::vector<RelativePoseFactor> chain = someChain(20);
   const ChainPiece piece = pieceOf(chain);
   RandomNumbers random(6);
   Pose T = random.pose(100.0);
@@ -65,16 +66,16 @@ TEST(ChainPiece, UndisturbedChainIsDeadReckoning) {
   }
 }
 
-TEST(ChainPiece, OfOneConstraintIsThatConstraint) {
-  std::vector<Constraint> chain = someChain(1);
+TEST(ChainPiece, OfOneRelativePoseFactorIsThatRelativePoseFactor) {
+  std::vector<RelativePoseFactor> chain = someChain(1);
   chain[0].information.setZero();
-  const Constraint whole = composed(pieceOf(chain));
+  const RelativePoseFactor whole = composed(pieceOf(chain));
   EXPECT_EQ(whole.information, chain[0].information);
   EXPECT_TRUE(bentPiece(pieceOf(chain), {}, {}).empty());
 }
 
 TEST(ChainPiece, UnknownDirectionsStayFinite) {
-  std::vector<Constraint> chain = someChain(3);
+  std::vector<RelativePoseFactor> chain = someChain(3);
   chain[0].information.setZero();
   chain[1].information.bottomRightCorner<3, 3>().setZero();
   chain[1].information.topRightCorner<3, 3>().setZero();

@@ -5,7 +5,8 @@
 
 #include "pose_graph/graph_fixtures.h"
 #include "revisit_slam/pose_graph/chain_piece.h"
-#include "revisit_slam/pose_graph/relative_pose_cost.h"
+#include "revisit_slam/pose_graph/factor_cost.h"
+#include "revisit_slam/pose_graph/pose_block.h"
 
 namespace revisit_slam {
 namespace {
@@ -13,17 +14,19 @@ namespace {
 using RowMajor6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 /// Covariance of the last node of a chain that starts at a fixed node, in its own frame.
-Matrix6 covarianceOfEnd(const std::vector<Constraint>& chain) {
+Matrix6 covarianceOfEnd(const std::vector<RelativePoseFactor>& chain) {
   ceres::Problem problem;
   std::vector<PoseBlock> blocks{blockOf({})};
-  for (const Constraint& constraint : chain)
-    blocks.push_back(blockOf(poseOf(blocks.back().data()) * constraint.T_from_to));
+  for (const RelativePoseFactor& link : chain)
+    blocks.push_back(blockOf(poseOf(blocks.back().data()) * link.T_from_to));
   for (PoseBlock& block : blocks) {
     problem.AddParameterBlock(block.data(), PoseChart::kAmbient);
     setManifold(problem, block.data(), new PoseManifold);
   }
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    problem.AddResidualBlock(new RelativePoseCost(chain[i]), nullptr, blocks[i].data(),
+  std::vector<Factor> factors;
+  for (const RelativePoseFactor& link : chain) factors.push_back({link, {}});
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    problem.AddResidualBlock(makeCost(factors[i]).release(), nullptr, blocks[i].data(),
                              blocks[i + 1].data());
   problem.SetParameterBlockConstant(blocks[0].data());
   ceres::Covariance covariance{ceres::Covariance::Options()};
@@ -35,20 +38,21 @@ Matrix6 covarianceOfEnd(const std::vector<Constraint>& chain) {
   return result;
 }
 
-TEST(Covariance, OfOneConstraintIsTheInputWithItsCorrelations) {
+TEST(Covariance, OfOneFactorIsTheInputWithItsCorrelations) {
   RandomNumbers random(1);
   const Matrix6 expected = correlatedCovariance(sigmas(0.1, 0.02));
-  const Constraint constraint{ScanId{0}, ScanId{1}, random.pose(5.0), expected.inverse()};
-  EXPECT_LT((covarianceOfEnd({constraint}) - expected).norm(), 1e-8 * expected.norm());
+  const RelativePoseFactor link{{NodeId{0}, NodeId{1}}, random.pose(5.0), expected.inverse()};
+  EXPECT_LT((covarianceOfEnd({link}) - expected).norm(), 1e-8 * expected.norm());
 }
 
-TEST(Covariance, AlongAChainIsThatOfTheComposedConstraint) {
+TEST(Covariance, AlongAChainIsThatOfTheComposedFactor) {
   RandomNumbers random(2);
-  std::vector<Constraint> chain;
+  std::vector<RelativePoseFactor> chain;
   for (std::uint32_t i = 0; i < 4; ++i)
-    chain.push_back({ScanId{i}, ScanId{i + 1}, random.pose(3.0), correlatedInformation(0.1, 0.02)});
+    chain.push_back(
+        {{NodeId{i}, NodeId{i + 1}}, random.pose(3.0), correlatedInformation(0.1, 0.02)});
   ChainPiece piece;
-  for (const Constraint& constraint : chain) piece.push_back(&constraint);
+  for (const RelativePoseFactor& link : chain) piece.push_back(&link);
   const Matrix6 expected = composed(piece).information.inverse();
   EXPECT_LT((covarianceOfEnd(chain) - expected).norm(), 1e-8 * expected.norm());
 }

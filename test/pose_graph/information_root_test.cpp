@@ -23,13 +23,13 @@ TEST(InformationRoot, OfSemiDefiniteInformationIsFinite) {
   const Matrix6 full = correlatedInformation(1.0, 1.0);
   const Matrix6 rank_two = full.leftCols<2>() * full.leftCols<2>().transpose();
   EXPECT_LT(deviation(rank_two), 1e-12);
-  EXPECT_EQ(informationRoot(Matrix6::Zero()).norm(), 0.0);
+  EXPECT_EQ(informationRoot<6>(Matrix6::Zero()).norm(), 0.0);
 }
 
 TEST(InformationRoot, TakesNegativeEigenvaluesAsZero) {
   Tangent eigenvalues;
   eigenvalues << 4.0, 1.0, 9.0, -1e-9, 0.0, 1.0;
-  const Matrix6 U = informationRoot(eigenvalues.asDiagonal());
+  const Matrix6 U = informationRoot<6>(eigenvalues.asDiagonal());
   const Matrix6 expected = eigenvalues.cwiseMax(0.0).asDiagonal();
   EXPECT_LT((U.transpose() * U - expected).norm(), 1e-14);
 }

@@ -6,16 +6,12 @@
 #include <stdexcept>
 
 #include "pose_graph/graph_fixtures.h"
-#include "revisit_slam/pose_graph/gauge.h"
 
 namespace revisit_slam {
 namespace {
 
-Constraint between(std::uint32_t from, std::uint32_t to) {
-  Constraint constraint;
-  constraint.from = ScanId{from};
-  constraint.to = ScanId{to};
-  return constraint;
+RelativePoseFactor between(std::uint32_t from, std::uint32_t to) {
+  return {{NodeId{from}, NodeId{to}}, {}};
 }
 
 PoseGraph graphOf(int nodes) {
@@ -25,17 +21,19 @@ PoseGraph graphOf(int nodes) {
   return graph;
 }
 
-TEST(PoseGraph, CountsNodesAndLoops) {
+TEST(PoseGraph, CountsNodesAndFactors) {
   PoseGraph graph = graphOf(2);
-  EXPECT_EQ(graph.addNode({}), ScanId{2});
-  EXPECT_EQ(graph.addLoop(between(0, 2)), LoopId{0});
-  EXPECT_EQ(graph.addLoop(between(2, 0)), LoopId{1});
+  EXPECT_EQ(graph.addNode({}), NodeId{2});
+  EXPECT_EQ(graph.addFactor(between(0, 2)), FactorId{0});
+  EXPECT_EQ(graph.addFactor(PositionFactor{{NodeId{2}}}), FactorId{1});
 }
 
-TEST(PoseGraph, RefusesConstraintsOfUnknownNodes) {
+TEST(PoseGraph, RefusesFactorsOfUnknownNodes) {
   PoseGraph graph = graphOf(2);
-  EXPECT_THROW(graph.addOdometry(between(1, 2)), std::invalid_argument);
-  EXPECT_THROW(graph.addLoop(between(1, 1)), std::invalid_argument);
+  EXPECT_THROW(graph.addFactor(between(1, 2)), std::invalid_argument);
+  EXPECT_THROW(graph.addFactor(between(1, 1)), std::invalid_argument);
+  EXPECT_THROW(graph.addFactor(PositionFactor{{NodeId{2}}}), std::invalid_argument);
+  EXPECT_TRUE(graph.factors().empty());
 }
 
 TEST(PoseGraph, LaterNodesMoveAlongWithACorrection) {
@@ -53,16 +51,6 @@ TEST(PoseGraph, LaterNodesMoveAlongWithACorrection) {
               1e-12);
   EXPECT_THROW(graph.correct(graphOf(6).poses()), std::invalid_argument);
   EXPECT_THROW(graph.correct({}), std::invalid_argument);
-}
-
-TEST(PoseGraph, EveryConnectedPartHasItsGauge) {
-  PoseGraph graph = graphOf(7);
-  graph.addOdometry(between(0, 1));
-  graph.addOdometry(between(5, 4));
-  graph.addLoop(between(2, 1));
-  graph.addLoop(between(6, 5));
-  EXPECT_EQ(gaugeNodes(graph), (std::vector<ScanId>{{0}, {3}, {4}}));
-  EXPECT_TRUE(gaugeNodes(PoseGraph()).empty());
 }
 
 }  // namespace

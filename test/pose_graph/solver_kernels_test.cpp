@@ -6,17 +6,17 @@
 namespace revisit_slam {
 namespace {
 
-LapDrive rightDrive() {
-  return lapDrive(1200, 300, 30);
+LapDrive rightDrive(const RobustKernel& kernel) {
+  return lapDrive(1200, 300, 30, kernel);
 }
 
 /// A further loop says that the platform was 15 m aside and turned.
-LapDrive driveWithAWrongLoop() {
-  LapDrive drive = rightDrive();
-  Constraint wrong = drive.graph.loops()[5];
-  wrong.from.value += 60;
+LapDrive driveWithAWrongLoop(const RobustKernel& kernel) {
+  LapDrive drive = rightDrive(kernel);
+  RelativePoseFactor wrong = drive.loops[5];
+  wrong.nodes[0].value += 60;
   wrong.T_from_to = wrong.T_from_to * Pose{expSO3({0.0, 0.0, 0.4}), {3.0, 15.0, 1.0}};
-  drive.graph.addLoop(wrong);
+  drive.graph.addFactor(wrong, kernel);
   return drive;
 }
 
@@ -30,16 +30,17 @@ class SolverKernels : public testing::TestWithParam<Case> {};
 
 TEST_P(SolverKernels, AWrongLoopPullsAsMuchAsTheKernelAllows) {
   const auto [kernel, most_error, most_weight] = GetParam();
-  const LapDrive drive = driveWithAWrongLoop();
-  const PoseGraphSolution solution = solve(drive.graph, configWith(kernel));
+  const LapDrive right = rightDrive(kernelOf(kernel));
+  const LapDrive drive = driveWithAWrongLoop(kernelOf(kernel));
+  const PoseGraphSolution solution = solve(drive.graph, exactConfig());
   EXPECT_EQ(solution.outcome, SolveOutcome::converged);
   EXPECT_LE(solution.final_cost, solution.initial_cost);
-  const std::vector<Pose> without = solve(rightDrive().graph, configWith(kernel)).poses;
+  const std::vector<Pose> without = solve(right.graph, exactConfig()).poses;
   EXPECT_LT(positionError(solution.poses, without), most_error);
-  EXPECT_LT(solution.loops.back().weight, most_weight);
+  EXPECT_LT(solution.factors.back().weight, most_weight);
   if (most_weight > 0.1) return;
-  for (std::size_t i = 0; i + 1 < solution.loops.size(); ++i)
-    EXPECT_GT(solution.loops[i].weight, 0.1) << "right loop " << i;
+  for (std::size_t i = 0; i + 1 < solution.factors.size(); ++i)
+    EXPECT_GT(solution.factors[i].weight, 0.1) << "right factor " << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllKernels, SolverKernels,
@@ -49,25 +50,39 @@ INSTANTIATE_TEST_SUITE_P(AllKernels, SolverKernels,
                          [](const auto& info) { return std::string(info.param.kernel); });
 
 TEST(SolverKernels, WithoutAKernelAWrongLoopBendsTheMap) {
-  const LapDrive drive = driveWithAWrongLoop();
-  const std::vector<Pose> without = solve(rightDrive().graph, configWith("none")).poses;
-  EXPECT_GT(positionError(solve(drive.graph, configWith("none")).poses, without), 0.5);
+  const LapDrive drive = driveWithAWrongLoop({});
+  const std::vector<Pose> without = solve(rightDrive({}).graph, exactConfig()).poses;
+  EXPECT_GT(positionError(solve(drive.graph, exactConfig()).poses, without), 0.5);
 }
 
 /// Drift lets right loops start with residuals of hundreds of scales, where the kernel's own slope
 /// vanishes.
 TEST(SolverKernels, RightLoopsFarFromTheStartAreTaken) {
-  const LapDrive drive = lapDrive(4000, 1000, 50);
   for (const char* kernel : {"cauchy", "geman_mcclure"}) {
-    const PoseGraphSolution solution = solve(drive.graph, configWith(kernel));
+    const LapDrive drive = lapDrive(4000, 1000, 50, kernelOf(kernel));
+    const PoseGraphSolution solution = solve(drive.graph, exactConfig());
     double farthest = 0.0;
-    for (const LoopResidual& loop : solution.loops) {
-      farthest = std::max(farthest, std::sqrt(loop.chi2_before));
-      EXPECT_GT(loop.weight, 0.1) << kernel;
+    for (const FactorResidual& factor : solution.factors) {
+      farthest = std::max(farthest, std::sqrt(factor.chi2_before));
+      EXPECT_GT(factor.weight, 0.1) << kernel;
     }
     EXPECT_GT(farthest, 100.0);
     EXPECT_LT(positionError(solution.poses, drive.truth), 1.0) << kernel;
   }
+}
+
+TEST(SolverKernels, EveryFactorHasItsOwn) {
+  LapDrive drive = driveWithAWrongLoop(kernelOf("geman_mcclure"));
+  PositionFactor far{{NodeId{700}}};
+  far.p_map = drive.truth[700].translation + Eigen::Vector3d(0.0, 20.0, 0.0);
+  far.information *= 100.0;
+  const FactorId position = drive.graph.addFactor(far, kernelOf("huber", 2.0));
+  const PoseGraphSolution solution = solve(drive.graph, exactConfig());
+  EXPECT_EQ(solution.outcome, SolveOutcome::converged);
+  EXPECT_LT(solution.factors[position.value - 1].weight, 1e-5);  // the wrong loop
+  const FactorResidual& residual = solution.factors[position.value];
+  EXPECT_NEAR(residual.weight, 2.0 / std::sqrt(residual.chi2_after), 1e-9);
+  EXPECT_EQ(solution.factors[0].weight, 1.0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST_P(StandardGraphs, EndAtTheKnownOptimum) {
   const char* folder = std::getenv("REVISIT_SLAM_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "REVISIT_SLAM_TEST_DATA is not set";
   const std::string path = std::string(folder) + "/pose_graphs/" + GetParam().name + ".g2o";
-  const PoseGraphSolution solution = solve(readG2o(path).graph, configWith("none"));
+  const PoseGraphSolution solution = solve(readG2o(path).graph, exactConfig());
   EXPECT_EQ(solution.outcome, SolveOutcome::converged);
   EXPECT_NEAR(solution.final_cost, GetParam().optimum, 1e-6 * GetParam().optimum);
 }

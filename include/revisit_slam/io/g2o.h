@@ -12,16 +12,17 @@ namespace revisit_slam {
 /// A pose graph and the ids that its nodes have in the file.
 struct G2oGraph {
   PoseGraph graph;
-  std::vector<std::uint64_t> ids;  ///< by ScanId, ascending
+  std::vector<std::uint64_t> ids;  ///< by NodeId, ascending
 };
 
 /// Reads VERTEX_SE3:QUAT and EDGE_SE3:QUAT lines; the node with the smallest id comes first. Edges
-/// from a node to the next are odometry, all others loops. Comments, FIX and PARAMS_ lines are
-/// passed over.
+/// from a node to the next are odometry and the first factors, all others loops with this kernel.
+/// Comments, FIX and PARAMS_ lines are passed over.
 /// @throws std::runtime_error naming the file and the line that cannot be used.
-G2oGraph readG2o(const std::string& path);
+G2oGraph readG2o(const std::string& path, const RobustKernel& loop_kernel = {});
 
-/// Writes all digits, so that reading gives the same numbers.
+/// Writes all digits, so that reading gives the same numbers. Relative poses alone are written; a
+/// comment says how many factors of other kinds there were.
 /// @throws std::runtime_error naming the file.
 void writeG2o(const std::string& path, const G2oGraph& graph);
 
@@ -37,7 +38,7 @@ void writeG2o(const std::string& path, const G2oGraph& graph);
 Matrix6 informationFromG2o(const Matrix6& information);
 Matrix6 informationToG2o(const Matrix6& information);
 
-/// The sum of e_g2o^T L e_g2o over all constraints, as g2o prints it, without robust kernels.
+/// The sum of e_g2o^T L e_g2o over all relative poses, as g2o prints it, without robust kernels.
 double g2oChi2(const PoseGraph& graph, const std::vector<Pose>& poses);
 
 }  // namespace revisit_slam

@@ -3,19 +3,23 @@
 
 #include <vector>
 
-#include "revisit_slam/types/constraint.h"
+#include "revisit_slam/pose_graph/factor.h"
 
 namespace revisit_slam {
 
-/// Odometry constraints Z_1 … Z_K, each starting where the one before ends.
-using ChainPiece = std::vector<const Constraint*>;
+/// The relative pose that a factor measures if the factor is plain odometry: from a node to the
+/// next, without a robust kernel. Null for all others.
+const RelativePoseFactor* chainLink(const Factor& factor);
 
-/// The constraint from the first to the last node of the piece that says the same about these two
+/// Links Z_1 … Z_K, each starting where the one before ends.
+using ChainPiece = std::vector<const RelativePoseFactor*>;
+
+/// The factor from the first to the last node of the piece that says the same about these two
 /// as all of the piece's together, for small errors. With errors n_k in Z_k Exp(n_k), the last node
 /// moves by d_K,
 ///
 ///   d_k = Ad(Z_k^-1) d_{k-1} + n_k,  S_k = Ad(Z_k^-1) S_{k-1} Ad(Z_k^-1)^T + information_k^-1.
-Constraint composed(const ChainPiece& piece);
+RelativePoseFactor composed(const ChainPiece& piece);
 
 /// Poses of the inner nodes 1 … K-1, given those of both ends: with D_k = Z_1 … Z_k, of the
 /// deviation d_K = Log(D_K^-1 T_map_first^-1 T_map_last) node k takes its most likely share,

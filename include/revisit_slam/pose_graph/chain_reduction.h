@@ -8,9 +8,10 @@
 
 namespace revisit_slam {
 
-/// A small graph in place of one with long odometry chains: it has the nodes where loops, ends and
-/// gauges are, and one composed constraint for each chain between them. Its minimum is that of the
-/// whole graph for small corrections and a good start for large ones.
+/// A small graph in place of one with long odometry chains: it has the ends of chains, the gauges
+/// and all nodes that any other factor binds, one composed factor for each chain between them, and
+/// these other factors with their kernels. Its minimum is that of the whole graph for small
+/// corrections and a good start for large ones.
 class ChainReduction {
  public:
   /// The graph must outlive the reduction.
@@ -23,8 +24,8 @@ class ChainReduction {
 
  private:
   struct Piece {
-    ScanId first, last;  ///< in the reduced graph
-    ChainPiece constraints;
+    NodeId first, last;  ///< in the reduced graph
+    ChainPiece links;
   };
 
   void keepNodes(const PoseGraph& graph);
@@ -32,8 +33,8 @@ class ChainReduction {
   void compose(const PoseGraph& graph);
 
   PoseGraph reduced_;
-  std::vector<ScanId> kept_;               ///< reduced -> whole
-  std::vector<std::uint32_t> reduced_of_;  ///< whole -> reduced, or kInner
+  std::vector<NodeId> kept_;        ///< reduced -> whole
+  std::vector<NodeId> reduced_of_;  ///< whole -> reduced, or kInner
   std::vector<Piece> pieces_;
 };
 

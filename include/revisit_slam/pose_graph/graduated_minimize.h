@@ -5,12 +5,16 @@
 
 namespace revisit_slam {
 
-/// Minimises with a kernel that hardly feels far loops (RobustKernel::forgetsFarLoops) without
-/// trusting the start: drift makes right loops start far away. First without kernel, then with the
-/// kernel widened until it takes in all loops and narrowed step by step to its scale (graduated
-/// non-convexity: Yang et al., RA-L 2020). The same is tried straight from the start; the lower
-/// cost wins. Other kernels are minimised as they are.
+/// Minimises where factors have kernels that hardly feel them from afar
+/// (RobustKernel::forgetsFarLoops) without trusting the start: drift makes right loops start far
+/// away. First without these kernels, then with them widened until they take in all such factors
+/// and narrowed step by step to their scales (graduated non-convexity: Yang et al., RA-L 2020). The
+/// same is tried straight from the start; the lower cost wins. Other graphs are minimised as they
+/// are.
 Minimum graduatedMinimize(const PoseGraph& graph, const std::vector<Pose>& start,
-                          const RobustKernel& kernel, const MinimizeLimits& limits);
+                          const MinimizeLimits& limits);
+
+/// Whether any factor has such a kernel.
+bool forgetsFarLoops(const PoseGraph& graph);
 
 }  // namespace revisit_slam

@@ -4,19 +4,17 @@
 #include <vector>
 
 #include "revisit_slam/pose_graph/pose_graph.h"
-#include "revisit_slam/pose_graph/robust_kernel.h"
 
 namespace revisit_slam {
 
-/// chi2 = e^T information e of every constraint at these poses.
-std::vector<double> chi2Of(const std::vector<Constraint>& constraints,
-                           const std::vector<Pose>& poses);
+/// chi2 = e^T information e of every factor at these poses, by FactorId.
+std::vector<double> chi2Of(const PoseGraph& graph, const std::vector<Pose>& poses);
 
-/// 1/2 sum chi2(odometry) + 1/2 sum rho(chi2(loops)).
-double graphCost(const PoseGraph& graph, const std::vector<Pose>& poses,
-                 const RobustKernel& kernel);
+/// 1/2 sum rho(chi2) over all factors, each with its kernel.
+double graphCost(const PoseGraph& graph, const std::vector<double>& chi2);
+double graphCost(const PoseGraph& graph, const std::vector<Pose>& poses);
 
-/// The share rho'(chi2) of its information with which a loop pulls, 0 … 1.
+/// The share rho'(chi2) of its information with which a factor pulls, 0 … 1.
 double weightOf(const RobustKernel& kernel, double chi2);
 
 }  // namespace revisit_slam

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "revisit_slam/pose_graph/pose_graph.h"
-#include "revisit_slam/pose_graph/robust_kernel.h"
 
 namespace revisit_slam {
 
@@ -22,9 +21,10 @@ struct Minimum {
 };
 
 /// The local minimum of graphCost that Levenberg-Marquardt (Ceres, sparse Cholesky) reaches from
-/// `start`; the poses of the graph itself do not count. One thread: the sums that Ceres makes with
-/// more depend on which thread was faster.
-Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start, const RobustKernel& kernel,
-                 const MinimizeLimits& limits);
+/// `start`; the poses of the graph itself only say which nodes are gauges. Kernels that hardly feel
+/// far factors have `least_scale` at least; none where that is infinite. One thread: the sums that
+/// Ceres makes with more depend on which thread was faster.
+Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start,
+                 const MinimizeLimits& limits, double least_scale = 0.0);
 
 }  // namespace revisit_slam

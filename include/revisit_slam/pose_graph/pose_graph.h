@@ -3,36 +3,30 @@
 
 #include <vector>
 
-#include "revisit_slam/types/constraint.h"
+#include "revisit_slam/pose_graph/factor.h"
 
 namespace revisit_slam {
 
-/// Poses T_map_scan of all scans and the constraints between them. A value: a copy of it can be
-/// solved while the original grows. The first node is the gauge and never moves.
+/// Poses T_map_node and the factors that bind them. A value: a copy of it can be solved while the
+/// original grows.
 class PoseGraph {
  public:
-  ScanId addNode(const Pose& T_map_scan);
+  NodeId addNode(const Pose& T_map_node);
 
-  /// @throws std::invalid_argument for a constraint from or to a node that is not there, or between
-  /// a node and itself.
-  void addOdometry(const Constraint& constraint);
-  LoopId addLoop(const Constraint& constraint);
+  /// @throws std::invalid_argument for a measurement of a node that is not there, or between a node
+  /// and itself.
+  FactorId addFactor(const Measurement& measurement, const RobustKernel& kernel = {});
 
   /// Poses of the first nodes, up to as many as there are, from a solution. Later nodes stay where
   /// they were relative to the last node of the solution.
   void correct(const std::vector<Pose>& solved);
 
   const std::vector<Pose>& poses() const { return poses_; }
-  const Pose& pose(ScanId id) const { return poses_.at(id.value); }
-  const std::vector<Constraint>& odometry() const { return odometry_; }
-  const std::vector<Constraint>& loops() const { return loops_; }
+  const std::vector<Factor>& factors() const { return factors_; }
 
  private:
-  void requireNodesOf(const Constraint& constraint) const;
-
-  std::vector<Pose> poses_;  ///< by ScanId
-  std::vector<Constraint> odometry_;
-  std::vector<Constraint> loops_;  ///< by LoopId
+  std::vector<Pose> poses_;      ///< by NodeId
+  std::vector<Factor> factors_;  ///< by FactorId
 };
 
 /// Whether every number in the graph is finite, and not so large that its square is not.

@@ -8,19 +8,26 @@
 
 namespace revisit_slam {
 
-/// A function rho of s = chi2 of a loop constraint, with rho(s) ~ s for s << scale^2:
+enum class KernelType { none, huber, cauchy, geman_mcclure };
+
+/// @throws std::invalid_argument for an unknown name.
+KernelType kernelTypeOf(const std::string& name);
+
+/// A function rho of s = chi2 of a factor, with rho(s) ~ s for s << scale^2:
 ///
 ///   none           s
 ///   huber          2 k sqrt(s) - k^2 beyond s = k^2
 ///   cauchy         k^2 log(1 + s / k^2)
 ///   geman_mcclure  s k^2 / (k^2 + s)
 struct RobustKernel {
-  std::string name = "none";
+  KernelType type = KernelType::none;
   double scale = 1.0;  ///< k
 
-  /// Whether rho is so flat far away that a loop which is right, but starts far from the solution,
-  /// would hardly pull.
-  bool forgetsFarLoops() const { return name == "cauchy" || name == "geman_mcclure"; }
+  /// Whether rho is so flat far away that a factor which is right, but starts far from the
+  /// solution, would hardly pull.
+  bool forgetsFarLoops() const {
+    return type == KernelType::cauchy || type == KernelType::geman_mcclure;
+  }
 };
 
 /// rho(s) = s k^2 / (k^2 + s) stays below k^2: a loop that contradicts all others ceases to pull.
@@ -35,7 +42,7 @@ class GemanMcClureLoss : public ceres::LossFunction {
   double scale2_;  ///< k^2
 };
 
-/// Null for "none". @throws std::invalid_argument for an unknown name.
+/// Null for none.
 std::unique_ptr<ceres::LossFunction> makeLoss(const RobustKernel& kernel);
 
 }  // namespace revisit_slam

@@ -13,7 +13,8 @@
 namespace revisit_slam {
 
 /// The pose graph of a drive: one node a scan, odometry edges between consecutive scans, loop edges
-/// between first scans of submaps, and the poses of the last good optimisation.
+/// between first scans of submaps, and the poses of the last good optimisation. It alone knows
+/// which node of a PoseGraph stands for which scan.
 class SlamGraph {
  public:
   explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
@@ -35,6 +36,7 @@ class SlamGraph {
 
   std::size_t size() const { return nodes_.size(); }
   const std::vector<GraphNode>& nodes() const { return nodes_; }
+  const GraphNode& node(ScanId id) const { return nodes_.at(nodeOfScan(id).value); }
   const std::vector<LoopEdge>& loops() const { return loops_; }
   /// The pose of any scan, those after the last optimisation carried along by it.
   Pose pose(ScanId id) const;
@@ -46,21 +48,34 @@ class SlamGraph {
   double movedEnd() const { return moved_end_; }
 
   /// All of it as a value, with the constraints that are active.
-  PoseGraph graph() const { return graphUpTo(nodes_.size()); }
+  PoseGraph graph() const { return graphUpTo(nodes_.size()).graph; }
 
  private:
-  PoseGraph graphUpTo(std::size_t nodes) const;
+  /// An active loop and the factor that stands for it.
+  struct LoopFactor {
+    std::size_t loop;
+    FactorId factor;
+  };
+  struct LoopGraph {
+    PoseGraph graph;
+    std::vector<LoopFactor> loops;
+  };
+
+  /// Scans count from 0 without gaps, as nodes do.
+  static NodeId nodeOfScan(ScanId id) { return NodeId{id.value}; }
+  RelativePoseFactor factorOf(const Constraint& constraint) const;
+  LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
-  bool tears(const std::vector<std::size_t>& active, std::size_t first_new,
-             const std::vector<LoopResidual>& residuals) const;
-  void take(PoseGraphSolution& solution, const std::vector<std::size_t>& active);
+  bool tears(const std::vector<LoopFactor>& active, std::size_t first_new,
+             const std::vector<FactorResidual>& residuals) const;
+  void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
 
   BackEndConfig config_;
-  std::vector<GraphNode> nodes_;  // by ScanId
+  std::vector<GraphNode> nodes_;  // by NodeId
   std::vector<LoopEdge> loops_;   // by LoopId
-  std::vector<Pose> optimised_;   // T_map_scan, by ScanId
+  std::vector<Pose> optimised_;   // T_map_scan, by NodeId
   Pose T_map_odom_;
-  PoseGraphSolution last_solution_;  // without its poses
+  PoseGraphSolution last_solution_;  // without its poses and factors
   double moved_end_ = 0.0;
 };
 

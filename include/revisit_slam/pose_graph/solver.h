@@ -7,10 +7,9 @@
 
 namespace revisit_slam {
 
-/// Minimises 1/2 sum chi2(odometry) + 1/2 sum rho(chi2(loops)) over all poses but the first,
-/// starting from the poses of the graph. Of every further part that no constraint connects to the
-/// first node, the part's first node stays fixed. The result is the same to the last bit for any
-/// number of threads.
+/// Minimises 1/2 sum rho(chi2) over all factors, starting from the poses of the graph. Of every
+/// connected part whose absolute factors do not determine where it lies, the first node stays fixed
+/// (gauge.h). The result is the same to the last bit for any number of threads.
 PoseGraphSolution solve(const PoseGraph& graph, const SolverConfig& config);
 
 }  // namespace revisit_slam

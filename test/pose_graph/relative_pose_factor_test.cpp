@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/pose_graph/relative_pose_cost.h"
+#include "revisit_slam/pose_graph/relative_pose_factor.h"
 
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/rotation.h>
 #include <gtest/gtest.h>
 
 #include "pose_graph/graph_fixtures.h"
+#include "revisit_slam/pose_graph/factor_cost.h"
 #include "revisit_slam/pose_graph/information_root.h"
+#include "revisit_slam/pose_graph/pose_block.h"
 
 namespace revisit_slam {
 namespace {
@@ -64,23 +66,23 @@ struct AutomaticCost {
   Matrix6 root;
 };
 
-TEST(RelativePoseCost, JacobiansEqualDifferencesAlsoOfLargeResiduals) {
+TEST(RelativePoseFactor, JacobiansEqualDifferencesAlsoOfLargeResiduals) {
   RandomNumbers random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    const Constraint constraint{ScanId{0}, ScanId{1}, random.pose(20.0),
-                                correlatedInformation(1, 1)};
-    const RelativePoseCost cost(constraint);
+    const RelativePoseFactor measured{
+        {NodeId{0}, NodeId{1}}, random.pose(20.0), correlatedInformation(1, 1)};
+    const Factor factor{measured, {}};
+    const auto cost = makeCost(factor);
     const Pose T_i = random.pose(50.0);
-    const Pose T_j =
-        T_i * constraint.T_from_to * exp(random.tangent(5.0, random.uniform(0.0, 2.5)));
-    const Evaluation at = evaluate(cost, T_i, T_j);
+    const Pose T_j = T_i * measured.T_from_to * exp(random.tangent(5.0, random.uniform(0.0, 2.5)));
+    const Evaluation at = evaluate(*cost, T_i, T_j);
     constexpr double kStep = 1e-6;
     for (int axis = 0; axis < 6; ++axis) {
       const Tangent d = kStep * Tangent::Unit(axis);
-      const Tangent by_from = evaluate(cost, boxplus(T_i, d), T_j).residual -
-                              evaluate(cost, boxplus(T_i, -d), T_j).residual;
-      const Tangent by_to = evaluate(cost, T_i, boxplus(T_j, d)).residual -
-                            evaluate(cost, T_i, boxplus(T_j, -d)).residual;
+      const Tangent by_from = evaluate(*cost, boxplus(T_i, d), T_j).residual -
+                              evaluate(*cost, boxplus(T_i, -d), T_j).residual;
+      const Tangent by_to = evaluate(*cost, T_i, boxplus(T_j, d)).residual -
+                            evaluate(*cost, T_i, boxplus(T_j, -d)).residual;
       const double scale = 1.0 + at.by_from.norm() + at.by_to.norm();
       EXPECT_LT((by_from / (2 * kStep) - at.by_from.col(axis)).norm(), 2e-7 * scale);
       EXPECT_LT((by_to / (2 * kStep) - at.by_to.col(axis)).norm(), 2e-7 * scale);
@@ -88,17 +90,17 @@ TEST(RelativePoseCost, JacobiansEqualDifferencesAlsoOfLargeResiduals) {
   }
 }
 
-TEST(RelativePoseCost, ResidualsAndJacobiansEqualAutomaticOnes) {
+TEST(RelativePoseFactor, ResidualsAndJacobiansEqualAutomaticOnes) {
   RandomNumbers random(2);
   for (int trial = 0; trial < 50; ++trial) {
-    const Constraint constraint{ScanId{0}, ScanId{1}, random.pose(5.0),
-                                correlatedInformation(1, 1)};
+    const RelativePoseFactor measured{
+        {NodeId{0}, NodeId{1}}, random.pose(5.0), correlatedInformation(1, 1)};
     const ceres::AutoDiffCostFunction<AutomaticCost, 6, 7, 7> automatic(
-        new AutomaticCost{constraint.T_from_to, informationRoot(constraint.information)});
+        new AutomaticCost{measured.T_from_to, informationRoot(measured.information)});
     const Pose T_i = random.pose(5.0);
-    const Pose T_j =
-        T_i * constraint.T_from_to * exp(random.tangent(3.0, random.uniform(0.1, 3.0)));
-    const Evaluation ours = evaluate(RelativePoseCost(constraint), T_i, T_j);
+    const Pose T_j = T_i * measured.T_from_to * exp(random.tangent(3.0, random.uniform(0.1, 3.0)));
+    const Factor factor{measured, {}};
+    const Evaluation ours = evaluate(*makeCost(factor), T_i, T_j);
     const Evaluation theirs = evaluate(automatic, T_i, T_j);
     const double scale = 1.0 + theirs.by_from.norm() + theirs.by_to.norm();
     EXPECT_LT((ours.residual - theirs.residual).norm(), 1e-11 * scale);
@@ -107,34 +109,37 @@ TEST(RelativePoseCost, ResidualsAndJacobiansEqualAutomaticOnes) {
   }
 }
 
-TEST(RelativePoseCost, ErrorIsTheRightPerturbationOfTheLaterNode) {
+TEST(RelativePoseFactor, ErrorIsTheRightPerturbationOfTheLaterNode) {
   RandomNumbers random(3);
   const Pose T_i = random.pose(10.0), Z = random.pose(10.0);
   Tangent d;
   d << 0.3, -0.2, 0.1, 0.05, -0.4, 0.2;
-  EXPECT_LT((relativePoseError(Z, T_i, T_i * Z * exp(d)) - d).norm(), 1e-12);
+  const RelativePoseFactor measured{{NodeId{0}, NodeId{1}}, Z};
+  EXPECT_LT((measured.error({T_i, T_i * Z * exp(d)}) - d).norm(), 1e-12);
 }
 
-TEST(RelativePoseCost, InformationCountsInTheFrameOfTheLaterNode) {
-  Constraint constraint;
-  constraint.T_from_to = {expSO3({0.0, 0.0, M_PI / 2}), {5.0, 0.0, 0.0}};
-  constraint.information.diagonal() << 100.0, 1.0, 1.0, 1.0, 1.0, 1.0;  // x of j is y of i
-  const Pose T_i, T_j = T_i * constraint.T_from_to;
+TEST(RelativePoseFactor, InformationCountsInTheFrameOfTheLaterNode) {
+  RelativePoseFactor measured{{NodeId{0}, NodeId{1}}, {}};
+  measured.T_from_to = {expSO3({0.0, 0.0, M_PI / 2}), {5.0, 0.0, 0.0}};
+  measured.information.diagonal() << 100.0, 1.0, 1.0, 1.0, 1.0, 1.0;  // x of j is y of i
+  const Pose T_i, T_j = T_i * measured.T_from_to;
   const Pose along_x_of_j{T_j.rotation, T_j.translation + Eigen::Vector3d(0, 0.1, 0)};
   const Pose along_y_of_j{T_j.rotation, T_j.translation + Eigen::Vector3d(0.1, 0, 0)};
-  EXPECT_NEAR(chi2(constraint, T_i, along_x_of_j), 1.0, 1e-12);
-  EXPECT_NEAR(chi2(constraint, T_i, along_y_of_j), 0.01, 1e-12);
+  const Factor factor{measured, {}};
+  EXPECT_NEAR(factor.chi2({T_i, along_x_of_j}), 1.0, 1e-12);
+  EXPECT_NEAR(factor.chi2({T_i, along_y_of_j}), 0.01, 1e-12);
 }
 
-TEST(RelativePoseCost, CorrelationsKeepTheirSign) {
-  Constraint constraint;
-  constraint.information(0, 5) = constraint.information(5, 0) = 0.9;
+TEST(RelativePoseFactor, CorrelationsKeepTheirSign) {
+  RelativePoseFactor measured{{NodeId{0}, NodeId{1}}, {}};
+  measured.information(0, 5) = measured.information(5, 0) = 0.9;
   Tangent same = Tangent::Zero(), opposite = Tangent::Zero();
   same[0] = same[5] = opposite[0] = 1e-3;
   opposite[5] = -1e-3;
-  EXPECT_NEAR(chi2(constraint, {}, exp(same)), 3.8e-6, 1e-12);
-  EXPECT_NEAR(chi2(constraint, {}, exp(opposite)), 0.2e-6, 1e-12);
-  const Tangent r = evaluate(RelativePoseCost(constraint), {}, exp(same)).residual;
+  const Factor factor{measured, {}};
+  EXPECT_NEAR(factor.chi2({Pose(), exp(same)}), 3.8e-6, 1e-12);
+  EXPECT_NEAR(factor.chi2({Pose(), exp(opposite)}), 0.2e-6, 1e-12);
+  const Tangent r = evaluate(*makeCost(factor), {}, exp(same)).residual;
   EXPECT_NEAR(r.squaredNorm(), 3.8e-6, 1e-12);
 }
 
