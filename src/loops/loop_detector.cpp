@@ -129,7 +129,7 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
   correction_ = correction;
   closed_.clear();
   for (const LoopEdge& edge : correction->loops)
-    if (edge.state != LoopState::contradicted)
+    if (edge.state != LoopState::rejected)
       closed_.insert({edge.loop.source_map, edge.loop.target_map});
 }
 

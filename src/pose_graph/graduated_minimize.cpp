@@ -15,18 +15,18 @@ constexpr double kNarrowing = 2.0;
 constexpr MinimizeLimits kBetween{4, 1e-3};
 constexpr double kNoKernel = std::numeric_limits<double>::infinity();
 
-/// Of the factors that are hardly felt from afar.
+/// Of the factors with redescending kernels.
 double largestChi2(const PoseGraph& graph, const std::vector<Pose>& poses) {
   double largest = 0.0;
   for (const Factor& factor : graph.factors())
-    if (factor.kernel.forgetsFarLoops()) largest = std::max(largest, factor.chi2(poses));
+    if (factor.kernel.isRedescending()) largest = std::max(largest, factor.chi2(poses));
   return largest;
 }
 
 double smallestScale(const PoseGraph& graph) {
   double smallest = kNoKernel;
   for (const Factor& factor : graph.factors())
-    if (factor.kernel.forgetsFarLoops()) smallest = std::min(smallest, factor.kernel.scale);
+    if (factor.kernel.isRedescending()) smallest = std::min(smallest, factor.kernel.scale);
   return smallest;
 }
 
@@ -49,7 +49,7 @@ Minimum minimizeNarrowing(const PoseGraph& graph, const std::vector<Pose>& start
 Minimum graduatedMinimize(const PoseGraph& graph, const std::vector<Pose>& start,
                           const MinimizeLimits& limits) {
   Minimum straight = minimize(graph, start, limits);
-  if (!forgetsFarLoops(graph)) return straight;
+  if (!hasRedescendingKernel(graph)) return straight;
   Minimum narrowed = minimizeNarrowing(graph, start, limits);
   narrowed.iterations += straight.iterations;
   straight.iterations = narrowed.iterations;
@@ -57,9 +57,9 @@ Minimum graduatedMinimize(const PoseGraph& graph, const std::vector<Pose>& start
   return better ? narrowed : straight;
 }
 
-bool forgetsFarLoops(const PoseGraph& graph) {
+bool hasRedescendingKernel(const PoseGraph& graph) {
   return std::any_of(graph.factors().begin(), graph.factors().end(),
-                     [](const Factor& factor) { return factor.kernel.forgetsFarLoops(); });
+                     [](const Factor& factor) { return factor.kernel.isRedescending(); });
 }
 
 }  // namespace revisit_slam

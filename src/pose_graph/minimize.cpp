@@ -68,7 +68,7 @@ ceres::Problem::Options problemOptions() {
 }
 
 RobustKernel widened(const RobustKernel& kernel, double least_scale) {
-  if (!kernel.forgetsFarLoops()) return kernel;
+  if (!kernel.isRedescending()) return kernel;
   if (std::isinf(least_scale)) return {};
   return {kernel.type, std::max(kernel.scale, least_scale)};
 }

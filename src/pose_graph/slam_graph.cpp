@@ -40,7 +40,7 @@ SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   PoseGraph& graph = result.graph;
   const std::vector<std::size_t> active = activeLoops();
   for (std::size_t i = 0; i < nodes; ++i) {
-    // Without loops nothing is left of what others that were taken back have done.
+    // Without loops nothing is left of what others that are now disabled have done.
     graph.addNode(active.empty() ? nodes_[i].T_odom_base : pose(nodes_[i].id));
     if (i == 0) continue;
     graph.addFactor(factorOf({nodes_[i - 1].id, nodes_[i].id,
@@ -72,13 +72,13 @@ bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loo
   PoseGraphSolution solution = solve(graph.graph, config_.solver);
   for (const auto& [loop, factor] : graph.loops)
     if (loop >= first_new) loops_[loop].chi2_before = solution.factors[factor.value].chi2_before;
-  const bool good = solution.outcome == SolveOutcome::no_loops ||
-                    (solution.usable() && !tears(graph.loops, first_new, solution.factors));
+  const bool good =
+      solution.outcome == SolveOutcome::no_loops ||
+      (solution.usable() && !overridesEstablishedLoops(graph.loops, first_new, solution.factors));
   if (good) {
     take(solution, graph.loops);
   } else {
-    for (std::size_t i = first_new; i < loops_.size(); ++i)
-      loops_[i].state = LoopState::contradicted;
+    for (std::size_t i = first_new; i < loops_.size(); ++i) loops_[i].state = LoopState::rejected;
   }
   solution.poses.clear();
   solution.factors.clear();
@@ -86,21 +86,22 @@ bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loo
   return good;
 }
 
-/// Every loop has a vote: new ones that pull against established ones that no longer do.
-bool SlamGraph::tears(const std::vector<LoopFactor>& active, std::size_t first_new,
-                      const std::vector<FactorResidual>& residuals) const {
-  const auto pulls = [&](double weight) { return weight >= config_.pulling_weight; };
-  std::size_t pulling = 0, silenced = 0, added = 0;
+/// Every loop has a vote: new inliers against established loops that are inliers no longer.
+bool SlamGraph::overridesEstablishedLoops(const std::vector<LoopFactor>& active,
+                                          std::size_t first_new,
+                                          const std::vector<FactorResidual>& residuals) const {
+  const auto is_inlier = [&](double weight) { return weight >= config_.min_inlier_weight; };
+  std::size_t added = 0, inliers = 0, overridden = 0;
   for (const auto& [loop, factor] : active) {
-    const bool still_pulls = pulls(residuals[factor.value].weight);
+    const bool inlier = is_inlier(residuals[factor.value].weight);
     if (loop >= first_new) {
       ++added;
-      if (still_pulls) ++pulling;
-    } else if (pulls(loops_[loop].weight) && !still_pulls) {
-      ++silenced;
+      if (inlier) ++inliers;
+    } else if (is_inlier(loops_[loop].weight) && !inlier) {
+      ++overridden;
     }
   }
-  return added > 0 && (pulling == 0 || silenced > pulling);
+  return added > 0 && (inliers == 0 || overridden > inliers);
 }
 
 void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active) {
@@ -114,9 +115,9 @@ void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>&
   optimised_ = std::move(solution.poses);
 }
 
-bool SlamGraph::takeBack(LoopId id) {
+bool SlamGraph::disable(LoopId id) {
   if (id.value >= loops_.size() || loops_[id.value].state != LoopState::active) return false;
-  loops_[id.value].state = LoopState::taken_back;
+  loops_[id.value].state = LoopState::disabled;
   loops_[id.value].weight = 0.0;
   return true;
 }

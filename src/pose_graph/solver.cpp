@@ -19,8 +19,8 @@ namespace {
 Minimum coarseSolution(const PoseGraph& graph, const MinimizeLimits& limits) {
   const ChainReduction reduction(graph);
   if (2 * reduction.reduced().poses().size() > graph.poses().size())
-    return forgetsFarLoops(graph) ? graduatedMinimize(graph, graph.poses(), limits)
-                                  : Minimum{Minimization::converged, graph.poses(), 0};
+    return hasRedescendingKernel(graph) ? graduatedMinimize(graph, graph.poses(), limits)
+                                        : Minimum{Minimization::converged, graph.poses(), 0};
   Minimum coarse = graduatedMinimize(reduction.reduced(), reduction.reduced().poses(), limits);
   if (coarse.outcome == Minimization::failed) return {coarse.outcome, graph.poses(), 0};
   coarse.poses = reduction.expand(coarse.poses);

@@ -89,8 +89,8 @@ void GraphSession::optimise(ScanId last, const std::vector<LoopConstraint>& loop
   on_correction_(std::make_shared<const MapCorrection>(std::move(correction)));
 }
 
-bool GraphSession::takeBack(LoopId id) {
-  if (!graph_.takeBack(id)) return false;
+bool GraphSession::disable(LoopId id) {
+  if (!graph_.disable(id)) return false;
   optimise(*last_optimised_, {}, 0);
   return true;
 }

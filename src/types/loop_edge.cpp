@@ -6,8 +6,8 @@ namespace revisit_slam {
 const char* toString(LoopState state) {
   switch (state) {
     case LoopState::active: return "active";
-    case LoopState::contradicted: return "contradicted";
-    case LoopState::taken_back: return "taken back";
+    case LoopState::rejected: return "rejected";
+    case LoopState::disabled: return "disabled";
   }
   return "unknown";
 }

@@ -64,7 +64,7 @@ TEST_F(LoopDetectorTest, aPairThatTheGraphHasTakenIsNotSearchedAgain) {
 TEST_F(LoopDetectorTest, whatTheGraphRejectsIsNoClosure) {
   const auto found = detector_.searchRetroactively().accepted();
   ASSERT_FALSE(found.empty());
-  answer(found, LoopState::contradicted);
+  answer(found, LoopState::rejected);
   EXPECT_FALSE(detector_.newestIsClosed());
   EXPECT_FALSE(detector_.hasClosedLoops());
 }
@@ -74,7 +74,7 @@ TEST_F(LoopDetectorTest, aSearchThatIsNotSpentLeavesTheWindowToTheNextClosure) {
   const auto early = detector_.searchUnspent(tried).accepted();
   ASSERT_FALSE(early.empty());
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());  // all were tried by now
-  answer(early, LoopState::contradicted);
+  answer(early, LoopState::rejected);
   EXPECT_EQ(detector_.searchRetroactively().accepted().size(), early.size());
 }
 
@@ -85,7 +85,7 @@ TEST_F(LoopDetectorTest, theWindowIsSpentByASearchAfterAClosure) {
 
 TEST_F(LoopDetectorTest, aLoopThatTheUserDisabledIsNotFoundAgain) {
   const auto found = detector_.searchRetroactively().accepted();
-  answer(found, LoopState::taken_back);
+  answer(found, LoopState::disabled);
   std::set<LocalMapPair> tried;
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
 }

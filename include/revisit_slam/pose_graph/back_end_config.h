@@ -11,15 +11,18 @@ namespace revisit_slam {
 struct BackEndConfig {
   SolverConfig solver;
   LoopKernelConfig loop_kernel;
-  double pulling_weight = 0.1;
+  double min_inlier_weight = 0.1;
 
   template <typename Visitor>
   void visit(Visitor& v) {
     solver.visit(v);
     loop_kernel.visit(v);
-    v("pulling_weight", pulling_weight, Range{0.0, 1.0}, "",
-      "a loop to which the kernel leaves less has no say; where new loops silence more established "
-      "ones than they are themselves, they are left out");
+    v("min_inlier_weight", min_inlier_weight, Range{0.0, 1.0}, "",
+      "weight of the robust kernel below which a loop counts as an outlier; new loops that turn "
+      "more "
+      "established loops into outliers than they have inliers are rejected. Raise it if wrong "
+      "loops "
+      "are kept; lower it if right ones are rejected");
   }
 };
 

@@ -14,7 +14,7 @@ std::vector<double> chi2Of(const PoseGraph& graph, const std::vector<Pose>& pose
 double graphCost(const PoseGraph& graph, const std::vector<double>& chi2);
 double graphCost(const PoseGraph& graph, const std::vector<Pose>& poses);
 
-/// The share rho'(chi2) of its information with which a factor pulls, 0 … 1.
+/// The share rho'(chi2) of its information that a factor keeps, 0 … 1.
 double weightOf(const RobustKernel& kernel, double chi2);
 
 }  // namespace revisit_slam

@@ -21,8 +21,8 @@ struct Minimum {
 };
 
 /// The local minimum of graphCost that Levenberg-Marquardt (Ceres, sparse Cholesky) reaches from
-/// `start`; the poses of the graph itself only say which nodes are gauges. Kernels that hardly feel
-/// far factors have `least_scale` at least; none where that is infinite. One thread: the sums that
+/// `start`; the poses of the graph itself only say which nodes are gauges. Redescending
+/// kernels have `least_scale` at least; none where that is infinite. One thread: the sums that
 /// Ceres makes with more depend on which thread was faster.
 Minimum minimize(const PoseGraph& graph, const std::vector<Pose>& start,
                  const MinimizeLimits& limits, double least_scale = 0.0);

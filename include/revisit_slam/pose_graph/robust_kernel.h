@@ -23,14 +23,14 @@ struct RobustKernel {
   KernelType type = KernelType::none;
   double scale = 1.0;  ///< k
 
-  /// Whether rho is so flat far away that a factor which is right, but starts far from the
-  /// solution, would hardly pull.
-  bool forgetsFarLoops() const {
+  /// Whether the influence sqrt(s) rho'(s) falls again far away, so that a factor which is right,
+  /// but starts far from the solution, has hardly any.
+  bool isRedescending() const {
     return type == KernelType::cauchy || type == KernelType::geman_mcclure;
   }
 };
 
-/// rho(s) = s k^2 / (k^2 + s) stays below k^2: a loop that contradicts all others ceases to pull.
+/// rho(s) = s k^2 / (k^2 + s) stays below k^2: a loop against all others loses its influence.
 /// The weight rho' = (k^2 / (k^2 + s))^2 is that of dynamic covariance scaling, but for a factor of
 /// 4 far away.
 class GemanMcClureLoss : public ceres::LossFunction {

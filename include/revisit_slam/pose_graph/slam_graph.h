@@ -26,13 +26,13 @@ class SlamGraph {
   void add(const GraphNode& node);
 
   /// Optimises the graph up to scan `last` with new loops (none: once more with those it has). A
-  /// solve that fails, and loops that silence more established ones than they are themselves, leave
-  /// the last good poses; the loops are kept as contradicted.
+  /// solve that fails, and loops that override established ones, leave the last good poses; the new
+  /// loops are then rejected.
   /// @return whether the new poses were taken.
   bool optimise(ScanId last, const std::vector<LoopConstraint>& new_loops);
 
   /// Leaves a loop out from the next optimisation on. @return whether there was one to leave out.
-  bool takeBack(LoopId id);
+  bool disable(LoopId id);
 
   std::size_t size() const { return nodes_.size(); }
   const std::vector<GraphNode>& nodes() const { return nodes_; }
@@ -66,8 +66,8 @@ class SlamGraph {
   RelativePoseFactor factorOf(const Constraint& constraint) const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
-  bool tears(const std::vector<LoopFactor>& active, std::size_t first_new,
-             const std::vector<FactorResidual>& residuals) const;
+  bool overridesEstablishedLoops(const std::vector<LoopFactor>& active, std::size_t first_new,
+                                 const std::vector<FactorResidual>& residuals) const;
   void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
 
   BackEndConfig config_;

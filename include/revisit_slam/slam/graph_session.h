@@ -41,7 +41,7 @@ class GraphSession {
   void after(std::size_t scans, std::function<void()> work);
 
   /// Leaves a loop out and optimises without it. @return whether there was one to leave out.
-  bool takeBack(LoopId id);
+  bool disable(LoopId id);
 
   void reconfigure(const BackEndConfig& config) { graph_.reconfigure(config); }
 

@@ -9,8 +9,8 @@ namespace revisit_slam {
 /// Whether a loop constraint takes part in the optimisation.
 enum class LoopState {
   active,
-  contradicted,  ///< it would have torn the map: left out by the back-end
-  taken_back,    ///< left out on request
+  rejected,  ///< by the graph: it would have overridden established loops
+  disabled,  ///< left out on request
 };
 
 const char* toString(LoopState state);

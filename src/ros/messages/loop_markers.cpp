@@ -14,10 +14,10 @@ const auto kGreen = colour(0.2f, 1.0f, 0.3f), kBlue = colour(0.3f, 0.7f, 1.0f),
            kGrey = colour(0.6f, 0.6f, 0.6f);
 constexpr double kRaise = 2.0;  // m, so that edges are not hidden by the path
 
-std_msgs::ColorRGBA colourOfEdge(const LoopEdge& edge, double pulling_weight) {
-  if (edge.state == LoopState::contradicted) return kRed;
-  if (edge.state == LoopState::taken_back) return kGrey;
-  if (edge.weight < pulling_weight) return kOrange;
+std_msgs::ColorRGBA colourOfEdge(const LoopEdge& edge, double min_inlier_weight) {
+  if (edge.state == LoopState::rejected) return kRed;
+  if (edge.state == LoopState::disabled) return kGrey;
+  if (edge.weight < min_inlier_weight) return kOrange;
   return edge.loop.origin == LoopOrigin::appearance ? kGreen : kBlue;
 }
 
@@ -57,13 +57,13 @@ class Lines {
 
 }  // namespace
 
-MarkerArray toLoopEdges(const SlamGraph& graph, double pulling_weight,
+MarkerArray toLoopEdges(const SlamGraph& graph, double min_inlier_weight,
                         const std::string& frame) {
   Lines lines(frame, "loops", 0.4);
   for (const LoopEdge& edge : graph.loops()) {
     const Constraint& constraint = edge.loop.constraint;
     lines.add(graph.pose(constraint.from).translation, graph.pose(constraint.to).translation,
-              colourOfEdge(edge, pulling_weight), std::to_string(edge.id.value));
+              colourOfEdge(edge, min_inlier_weight), std::to_string(edge.id.value));
   }
   MarkerArray array;
   array.markers.push_back(deleteAll());

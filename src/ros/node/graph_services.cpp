@@ -48,9 +48,9 @@ bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response)
 
 bool GraphServices::takeBack(TakeBackLoop::Request& request, TakeBackLoop::Response& response) {
   do_in_worker_([&](GraphSession* session) {
-    response.success = session && session->takeBack(LoopId{request.loop});
+    response.success = session && session->disable(LoopId{request.loop});
   });
-  response.message = response.success ? "taken back" : "there is no active loop of this id";
+  response.message = response.success ? "disabled" : "there is no active loop of this id";
   return true;
 }
 

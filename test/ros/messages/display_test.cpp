@@ -105,7 +105,7 @@ TEST(LoopMarkers, statesHaveTheirColours) {
   };
   EXPECT_GT(colourOfFirst().g, 0.9f);
   EXPECT_LT(colourOfFirst().r, 0.5f);
-  ASSERT_TRUE(graph.takeBack(LoopId{0}));
+  ASSERT_TRUE(graph.disable(LoopId{0}));
   EXPECT_EQ(colourOfFirst().r, colourOfFirst().g);
   EXPECT_EQ(countOf(toLoopEdges(graph, 0.1, "map"), "loops_texts"), 1);
 }

@@ -13,9 +13,9 @@
 namespace revisit_slam {
 
 /// All loop constraints of the graph with their ids, coloured by what became of them: green closed
-/// by appearance, blue retroactively, orange without say, red contradicted, grey taken back. A loop
-/// whose weight is less than `pulling_weight` has no say.
-visualization_msgs::MarkerArray toLoopEdges(const SlamGraph& graph, double pulling_weight,
+/// by appearance, blue retroactively, orange down-weighted (to less than `min_inlier_weight`), red
+/// rejected by the graph, grey disabled.
+visualization_msgs::MarkerArray toLoopEdges(const SlamGraph& graph, double min_inlier_weight,
                                             const std::string& frame);
 
 /// What searches for loops tried: grey the maps that looked alike, with the features that agreed;

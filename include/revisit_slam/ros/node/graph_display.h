@@ -16,7 +16,7 @@ namespace revisit_slam {
 class GraphDisplay {
  public:
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
-  GraphDisplay(ros::NodeHandle& node, const std::string& frame, double pulling_weight,
+  GraphDisplay(ros::NodeHandle& node, const std::string& frame, double min_inlier_weight,
                std::function<void()> on_subscriber);
 
   void draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const;
@@ -24,7 +24,7 @@ class GraphDisplay {
 
  private:
   std::string frame_;
-  double pulling_weight_;
+  double min_inlier_weight_;
   ros::Publisher path_, edges_, cloud_;
 };
 
