@@ -62,7 +62,7 @@ json mapJson(const JudgedMap& map, const MapClosure& closure) {
 /// By which gate and why; null if accepted.
 json rejectionJson(const LoopVerdict& verdict) {
   if (verdict.isAccepted()) return nullptr;
-  const Measurement& measurement = verdict.measurement;
+  const GateMeasurement& measurement = verdict.measurement;
   return {{"gate", verdict.gate},
           {"value", measurement.value},
           {"limit", measurement.limit},

@@ -43,7 +43,7 @@ double RegisteredPair::movedRotation() const {
   return movedBy(*this).angle() * kDegrees;
 }
 
-bool Measurement::isWithin() const {
+bool GateMeasurement::isWithin() const {
   switch (bound) {
     case Bound::above:
       return value > limit;
@@ -61,9 +61,9 @@ std::string LoopVerdict::reason() const {
          violationOf(measurement.bound) + " " + numberText(measurement.limit, measurement.unit);
 }
 
-Gate gateOfEach(std::string name, std::function<Measurement(const RegisteredPair&)> measure) {
+Gate gateOfEach(std::string name, std::function<GateMeasurement(const RegisteredPair&)> measure) {
   return {std::move(name), [measure = std::move(measure)](const RemainingPairs& remaining) {
-            std::vector<Measurement> measurements;
+            std::vector<GateMeasurement> measurements;
             for (const RegisteredPair& pair : remaining.pairs)
               measurements.push_back(measure(pair));
             return measurements;
@@ -89,7 +89,7 @@ std::vector<LoopVerdict> judge(const std::vector<RegisteredPair>& pairs,
       remaining.pairs.push_back(pairs[i]);
     }
     if (gate.only_lone && indices.size() > 1) continue;
-    const std::vector<Measurement> measurements = gate.measure(remaining);
+    const std::vector<GateMeasurement> measurements = gate.measure(remaining);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (measurements[i].isWithin()) continue;
       verdicts[indices[i]] = {gate.name, measurements[i]};

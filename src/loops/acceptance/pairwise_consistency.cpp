@@ -11,7 +11,7 @@ constexpr double kDegrees = 180.0 / M_PI;
 
 /// Of two registrations, with what the odometry between them allows.
 struct Difference {
-  Measurement translation, rotation;
+  GateMeasurement translation, rotation;
 
   bool isWithin() const { return translation.isWithin() && rotation.isWithin(); }
 };
@@ -58,13 +58,13 @@ Centre centreOf(const std::vector<RegisteredPair>& pairs, const PairwiseConsiste
   return centre;
 }
 
-std::vector<Measurement> measureConsistency(const std::vector<RegisteredPair>& pairs,
+std::vector<GateMeasurement> measureConsistency(const std::vector<RegisteredPair>& pairs,
                                             std::size_t others,
                                             const PairwiseConsistencyConfig& config) {
   const Centre centre = centreOf(pairs, config);
   const double all = static_cast<double>(pairs.size() + others);
-  const Measurement share{static_cast<double>(centre.support.first) / all, Bound::above, 0.5, ""};
-  std::vector<Measurement> measurements(pairs.size(), share);
+  const GateMeasurement share{static_cast<double>(centre.support.first) / all, Bound::above, 0.5, ""};
+  std::vector<GateMeasurement> measurements(pairs.size(), share);
   for (std::size_t i = 0; i < pairs.size() && share.isWithin(); ++i) {
     const Difference difference = differenceOf(pairs[centre.index], pairs[i], config);
     if (difference.isWithin()) continue;

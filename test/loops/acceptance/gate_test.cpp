@@ -18,7 +18,7 @@ std::vector<RegisteredPair> pairsOfFitness(const std::vector<double>& values) {
 
 Gate fitnessAbove(const std::string& name, double limit) {
   return gateOfEach(name, [limit](const RegisteredPair& pair) {
-    return Measurement{pair.registration.fitness, Bound::above, limit, ""};
+    return GateMeasurement{pair.registration.fitness, Bound::above, limit, ""};
   });
 }
 
@@ -30,16 +30,16 @@ std::vector<std::string> outcomes(const std::vector<double>& fitness,
   return names;
 }
 
-TEST(Measurement, BoundsContainTheirLimitOrNot) {
-  EXPECT_FALSE((Measurement{1.0, Bound::above, 1.0, ""}.isWithin()));
-  EXPECT_TRUE((Measurement{1.1, Bound::above, 1.0, ""}.isWithin()));
-  EXPECT_TRUE((Measurement{1.0, Bound::at_least, 1.0, ""}.isWithin()));
-  EXPECT_FALSE((Measurement{0.9, Bound::at_least, 1.0, ""}.isWithin()));
-  EXPECT_TRUE((Measurement{1.0, Bound::at_most, 1.0, ""}.isWithin()));
-  EXPECT_FALSE((Measurement{1.1, Bound::at_most, 1.0, ""}.isWithin()));
+TEST(GateMeasurement, BoundsContainTheirLimitOrNot) {
+  EXPECT_FALSE((GateMeasurement{1.0, Bound::above, 1.0, ""}.isWithin()));
+  EXPECT_TRUE((GateMeasurement{1.1, Bound::above, 1.0, ""}.isWithin()));
+  EXPECT_TRUE((GateMeasurement{1.0, Bound::at_least, 1.0, ""}.isWithin()));
+  EXPECT_FALSE((GateMeasurement{0.9, Bound::at_least, 1.0, ""}.isWithin()));
+  EXPECT_TRUE((GateMeasurement{1.0, Bound::at_most, 1.0, ""}.isWithin()));
+  EXPECT_FALSE((GateMeasurement{1.1, Bound::at_most, 1.0, ""}.isWithin()));
   for (const Bound bound : {Bound::above, Bound::at_least, Bound::at_most})
     EXPECT_FALSE(
-        (Measurement{std::numeric_limits<double>::quiet_NaN(), bound, 1.0, ""}.isWithin()));
+        (GateMeasurement{std::numeric_limits<double>::quiet_NaN(), bound, 1.0, ""}.isWithin()));
 }
 
 TEST(LoopVerdict, SaysTheNumberAndTheLimit) {
@@ -75,7 +75,7 @@ TEST(Judge, AGateSeesWhatRemainsAndHowManyWereRejectedBefore) {
   const Gate spy{
       "spy", [&seen](const RemainingPairs& remaining) {
         seen = remaining;
-        return std::vector<Measurement>(remaining.pairs.size(), {1.0, Bound::above, 0.0, ""});
+        return std::vector<GateMeasurement>(remaining.pairs.size(), {1.0, Bound::above, 0.0, ""});
       }};
   outcomes({0.1, 0.3, 0.1}, {fitnessAbove("low", 0.2), spy});
   ASSERT_EQ(seen.pairs.size(), 1u);

@@ -30,14 +30,14 @@ void displace(RegisteredPair& pair, double metres) {
   T = T * Pose{Eigen::Quaterniond::Identity(), {metres, 0, 0}};
 }
 
-std::vector<Measurement> measure(const std::vector<RegisteredPair>& pairs,
+std::vector<GateMeasurement> measure(const std::vector<RegisteredPair>& pairs,
                                  const PairwiseConsistencyConfig& config = {}) {
   return consistencyGate(config, {}).measure({pairs, {}});
 }
 
 std::vector<bool> majority(const std::vector<RegisteredPair>& pairs, std::size_t opponents = 0) {
   std::vector<bool> belongs;
-  for (const Measurement& measurement :
+  for (const GateMeasurement& measurement :
        consistencyGate({}, {"coherence"}).measure({pairs, {{"coherence", opponents}}}))
     belongs.push_back(measurement.isWithin());
   return belongs;

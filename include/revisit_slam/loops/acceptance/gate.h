@@ -27,7 +27,7 @@ struct RegisteredPair {
 enum class Bound { above, at_least, at_most };
 
 /// What a gate measured of a pair, and what it requires of that.
-struct Measurement {
+struct GateMeasurement {
   double value = 0.0;
   Bound bound = Bound::above;
   double limit = 0.0;
@@ -40,7 +40,7 @@ struct Measurement {
 /// What the gates decided on a pair.
 struct LoopVerdict {
   std::string gate;         ///< that rejected the pair; empty: accepted
-  Measurement measurement;  ///< of that gate
+  GateMeasurement measurement;  ///< of that gate
 
   bool isAccepted() const { return gate.empty(); }
   /// "accepted", or the name of the gate.
@@ -59,12 +59,12 @@ struct RemainingPairs {
 struct Gate {
   std::string name;  ///< as tables, JSON and rviz say it
   /// One measurement for each remaining pair.
-  std::function<std::vector<Measurement>(const RemainingPairs&)> measure;
+  std::function<std::vector<GateMeasurement>(const RemainingPairs&)> measure;
   bool only_lone = false;  ///< looks at a pair only if it is the last one that remains
 };
 
 /// A gate that looks at each pair by itself.
-Gate gateOfEach(std::string name, std::function<Measurement(const RegisteredPair&)> measure);
+Gate gateOfEach(std::string name, std::function<GateMeasurement(const RegisteredPair&)> measure);
 
 /// The same gate, but for a registration that no other one of its local maps can confirm.
 Gate onlyLone(Gate gate);

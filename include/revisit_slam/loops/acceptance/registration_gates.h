@@ -10,7 +10,7 @@ namespace revisit_slam {
 /// Points of the source with a counterpart when the registration ended.
 inline Gate correspondencesGate(int min_correspondences) {
   return gateOfEach("correspondences", [min_correspondences](const RegisteredPair& pair) {
-    return Measurement{static_cast<double>(pair.registration.inliers), Bound::at_least,
+    return GateMeasurement{static_cast<double>(pair.registration.inliers), Bound::at_least,
                        static_cast<double>(min_correspondences), ""};
   });
 }
@@ -19,14 +19,14 @@ inline Gate correspondencesGate(int min_correspondences) {
 inline Gate convergenceGate() {
   return gateOfEach("convergence", [](const RegisteredPair& pair) {
     const bool converged = pair.registration.outcome == FineRegistrationOutcome::converged;
-    return Measurement{converged ? 1.0 : 0.0, Bound::at_least, 1.0, ""};
+    return GateMeasurement{converged ? 1.0 : 0.0, Bound::at_least, 1.0, ""};
   });
 }
 
 /// tau_f (paper Sec. III-C): the submaps overlap.
 inline Gate fitnessGate(double min_fitness) {
   return gateOfEach("fitness", [min_fitness](const RegisteredPair& pair) {
-    return Measurement{pair.registration.fitness, Bound::above, min_fitness, ""};
+    return GateMeasurement{pair.registration.fitness, Bound::above, min_fitness, ""};
   });
 }
 
@@ -35,21 +35,21 @@ constexpr const char* kCoherenceGate = "coherence";
 /// Where both submaps have surfaces, these are the same, not ones that stand beside each other.
 inline Gate coherenceGate(double min_coherence) {
   return gateOfEach(kCoherenceGate, [min_coherence](const RegisteredPair& pair) {
-    return Measurement{pair.registration.coherence, Bound::at_least, min_coherence, ""};
+    return GateMeasurement{pair.registration.coherence, Bound::at_least, min_coherence, ""};
   });
 }
 
 /// The registration stayed where the guess can be wrong, m.
 inline Gate translationGate(double max_translation) {
   return gateOfEach("translation", [max_translation](const RegisteredPair& pair) {
-    return Measurement{pair.movedTranslation(), Bound::at_most, max_translation, "m"};
+    return GateMeasurement{pair.movedTranslation(), Bound::at_most, max_translation, "m"};
   });
 }
 
 /// The registration turned no farther than the guess can be wrong, degrees.
 inline Gate rotationGate(double max_rotation) {
   return gateOfEach("rotation", [max_rotation](const RegisteredPair& pair) {
-    return Measurement{pair.movedRotation(), Bound::at_most, max_rotation, "deg"};
+    return GateMeasurement{pair.movedRotation(), Bound::at_most, max_rotation, "deg"};
   });
 }
 
