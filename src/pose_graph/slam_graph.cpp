@@ -9,6 +9,11 @@
 
 namespace revisit_slam {
 
+void SlamGraph::reconfigure(const BackEndConfig& config) {
+  config_ = config;
+  ++changes_;
+}
+
 void SlamGraph::add(const GraphNode& node) {
   if (nodeOfScan(node.id).value != nodes_.size())
     throw std::invalid_argument("scan " + std::to_string(node.id.value) + " cannot follow " +
@@ -60,41 +65,88 @@ std::vector<std::size_t> SlamGraph::activeLoops() const {
   return active;
 }
 
-bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loops) {
-  const std::size_t first_new = loops_.size();
+SlamGraph::Batch SlamGraph::append(const std::vector<LoopConstraint>& new_loops) {
+  Batch batch{loops_.size(), loops_.size() + new_loops.size()};
   for (const LoopConstraint& loop : new_loops) {
     LoopEdge edge;
     edge.id = LoopId{static_cast<std::uint32_t>(loops_.size())};
     edge.loop = loop;
     loops_.push_back(edge);
   }
+  return batch;
+}
+
+/// @return how many loops changed.
+std::size_t SlamGraph::setState(const Batch& batch, LoopState from, LoopState to) {
+  std::size_t changed = 0;
+  for (std::size_t i = batch.first; i < batch.end; ++i) {
+    if (loops_[i].state != from) continue;
+    loops_[i].state = to;
+    ++changed;
+  }
+  return changed;
+}
+
+bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loops) {
+  const Eigen::Vector3d end_before = pose(last).translation;
+  const bool accepted = tryBatch(last, append(new_loops), last_solution_);
+  tryRejected(last);
+  moved_end_ = (pose(last).translation - end_before).norm();
+  return accepted;
+}
+
+/// Optimises with the active loops, among them those of the batch, and takes the new poses, or else
+/// rejects the batch.
+bool SlamGraph::tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution) {
   const LoopGraph graph = graphUpTo(nodeOfScan(last).value + 1);
-  PoseGraphSolution solution = solve(graph.graph, config_.solver);
-  for (const auto& [loop, factor] : graph.loops)
-    if (loop >= first_new) loops_[loop].chi2_before = solution.factors[factor.value].chi2_before;
+  solution = solve(graph.graph, config_.solver);
+  std::size_t added = 0;
+  for (const auto& [loop, factor] : graph.loops) {
+    if (!batch.contains(loop)) continue;
+    loops_[loop].chi2_before = solution.factors[factor.value].chi2_before;
+    ++added;
+  }
   const bool good =
       solution.outcome == SolveOutcome::no_loops ||
-      (solution.usable() && !overridesEstablishedLoops(graph.loops, first_new, solution.factors));
+      (solution.usable() && !overridesEstablishedLoops(batch, graph.loops, solution.factors));
   if (good) {
     take(solution, graph.loops);
-  } else {
-    for (std::size_t i = first_new; i < loops_.size(); ++i) loops_[i].state = LoopState::rejected;
+    if (added > 0) ++changes_;
+  } else if (added > 0) {
+    setState(batch, LoopState::active, LoopState::rejected);
+    batch.tried_at = changes_;
+    rejected_.push_back(batch);
   }
   solution.poses.clear();
   solution.factors.clear();
-  last_solution_ = std::move(solution);
   return good;
 }
 
-/// Every loop has a vote: new inliers against established loops that are inliers no longer.
-bool SlamGraph::overridesEstablishedLoops(const std::vector<LoopFactor>& active,
-                                          std::size_t first_new,
+/// Right loops are rejected when wrong ones came first, or with wrong ones. What came together is
+/// tried together, in order; one solve for each, and none where it can only end as before.
+void SlamGraph::tryRejected(ScanId last) {
+  const std::vector<Batch> batches = std::exchange(rejected_, {});
+  for (const Batch& batch : batches) {
+    if (batch.tried_at == changes_) {
+      rejected_.push_back(batch);
+      continue;
+    }
+    if (setState(batch, LoopState::rejected, LoopState::active) == 0) continue;  // all disabled
+    PoseGraphSolution solution;
+    tryBatch(last, batch, solution);
+    last_solution_.seconds += solution.seconds;
+  }
+}
+
+/// Every loop has a vote: inliers of the batch against established loops that are inliers no
+/// longer.
+bool SlamGraph::overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                           const std::vector<FactorResidual>& residuals) const {
   const auto is_inlier = [&](double weight) { return weight >= config_.min_inlier_weight; };
   std::size_t added = 0, inliers = 0, overridden = 0;
   for (const auto& [loop, factor] : active) {
     const bool inlier = is_inlier(residuals[factor.value].weight);
-    if (loop >= first_new) {
+    if (batch.contains(loop)) {
       ++added;
       if (inlier) ++inliers;
     } else if (is_inlier(loops_[loop].weight) && !inlier) {
@@ -110,13 +162,13 @@ void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>&
     loops_[loop].weight = solution.factors[factor.value].weight;
   }
   const GraphNode& end = nodes_[solution.poses.size() - 1];
-  moved_end_ = (solution.poses.back().translation - pose(end.id).translation).norm();
   T_map_odom_ = solution.poses.back() * end.T_odom_base.inverse();
   optimised_ = std::move(solution.poses);
 }
 
 bool SlamGraph::disable(LoopId id) {
-  if (id.value >= loops_.size() || loops_[id.value].state != LoopState::active) return false;
+  if (id.value >= loops_.size() || loops_[id.value].state == LoopState::disabled) return false;
+  if (loops_[id.value].state == LoopState::active) ++changes_;
   loops_[id.value].state = LoopState::disabled;
   loops_[id.value].weight = 0.0;
   return true;

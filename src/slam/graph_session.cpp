@@ -84,7 +84,7 @@ void GraphSession::optimise(ScanId last, const std::vector<LoopConstraint>& loop
     correction.T_map_scan.push_back(graph_.pose({i, id_}));
   correction.T_map_odom = graph_.T_map_odom();
   correction.loops = graph_.loops();
-  correction.moved_end = taken ? graph_.movedEnd() : 0.0;
+  correction.moved_end = graph_.movedEnd();
   correction.seconds = graph_.lastSolution().seconds;
   on_correction_(std::make_shared<const MapCorrection>(std::move(correction)));
 }

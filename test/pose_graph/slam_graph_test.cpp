@@ -72,6 +72,52 @@ TEST(SlamGraph, ALoopAgainstManyIsKeptButLeftOut) {
   EXPECT_EQ(graph.graph().factors().size(), kNodes - 1 + 4u);
 }
 
+/// Two wrong loops, which agree, were closed before the first right one.
+SlamGraph misledDrive() {
+  SlamGraph graph = bentDrive();
+  EXPECT_TRUE(graph.optimise(ScanId{50}, {straight(1, 47, 15.0), straight(3, 49, 15.0)}));
+  EXPECT_FALSE(graph.optimise(ScanId{51}, {straight(5, 45)}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::rejected);
+  return graph;
+}
+
+TEST(SlamGraph, ARejectedLoopIsAcceptedOnceOthersConfirmIt) {
+  SlamGraph graph = misledDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{55}, {straight(0, 50), straight(2, 48), straight(4, 46)}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::active);
+  EXPECT_GT(graph.loops()[2].weight, 0.5);
+  EXPECT_LT(graph.loops()[0].weight, 0.1);
+  EXPECT_LT(offLine(graph, 50), 0.2);
+  EXPECT_GT(graph.movedEnd(), 5.0);
+}
+
+TEST(SlamGraph, ARejectedLoopIsAcceptedOnceThoseAgainstItAreDisabled) {
+  SlamGraph graph = misledDrive();
+  ASSERT_TRUE(graph.optimise(ScanId{51}, {}));  // nothing has changed
+  EXPECT_EQ(graph.loops()[2].state, LoopState::rejected);
+  EXPECT_TRUE(graph.disable(LoopId{0}));
+  EXPECT_TRUE(graph.disable(LoopId{1}));
+  ASSERT_TRUE(graph.optimise(ScanId{51}, {}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::active);
+  const Pose T_5_45 = graph.pose(ScanId{5}).inverse() * graph.pose(ScanId{45});
+  EXPECT_LT(std::abs(T_5_45.translation.y()), 0.2);
+}
+
+TEST(SlamGraph, ADisabledLoopIsNotTriedAgain) {
+  SlamGraph graph = misledDrive();
+  EXPECT_TRUE(graph.disable(LoopId{2}));
+  ASSERT_TRUE(graph.optimise(ScanId{55}, {straight(0, 50), straight(2, 48), straight(4, 46)}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::disabled);
+}
+
+TEST(SlamGraph, RejectedLoopsAreTriedAsTheyCame) {
+  SlamGraph graph = misledDrive();
+  EXPECT_FALSE(graph.optimise(ScanId{52}, {straight(6, 44, 90.0)}));  // wrong in another way
+  ASSERT_TRUE(graph.optimise(ScanId{55}, {straight(0, 50), straight(2, 48), straight(4, 46)}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::active);
+  EXPECT_EQ(graph.loops()[3].state, LoopState::rejected);
+}
+
 TEST(SlamGraph, NumbersThatAreNotFiniteLeaveTheLastGoodPoses) {
   SlamGraph graph = bentDrive();
   ASSERT_TRUE(graph.optimise(ScanId{50}, {straight(0, 50)}));

@@ -20,18 +20,20 @@ class SlamGraph {
   explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
 
   /// Takes effect with the next optimisation.
-  void reconfigure(const BackEndConfig& config) { config_ = config; }
+  void reconfigure(const BackEndConfig& config);
 
   /// @throws std::invalid_argument for an id that is not the next one.
   void add(const GraphNode& node);
 
   /// Optimises the graph up to scan `last` with new loops (none: once more with those it has). A
   /// solve that fails, and loops that override established ones, leave the last good poses; the new
-  /// loops are then rejected.
-  /// @return whether the new poses were taken.
+  /// loops are then rejected. Then tries those that were rejected before, once each and all that
+  /// came together at once, if the active loops or the configuration have changed since.
+  /// @return whether the new loops were accepted.
   bool optimise(ScanId last, const std::vector<LoopConstraint>& new_loops);
 
-  /// Leaves a loop out from the next optimisation on. @return whether there was one to leave out.
+  /// Leaves a loop out from the next optimisation on, for good. @return whether there was one,
+  /// active or rejected, to leave out.
   bool disable(LoopId id);
 
   std::size_t size() const { return nodes_.size(); }
@@ -43,14 +45,22 @@ class SlamGraph {
   std::vector<Pose> poses() const;
   Pose T_map_odom() const { return T_map_odom_; }
 
-  /// Of the last optimisation.
+  /// Of the last optimisation with new loops; its time includes that of trying rejected ones.
   const PoseGraphSolution& lastSolution() const { return last_solution_; }
+  /// How far the last optimisation moved scan `last`, m.
   double movedEnd() const { return moved_end_; }
 
   /// All of it as a value, with the constraints that are active.
   PoseGraph graph() const { return graphUpTo(nodes_.size()).graph; }
 
  private:
+  /// Loops that came together, by LoopId.
+  struct Batch {
+    std::size_t first = 0, end = 0;
+    std::size_t tried_at = 0;  ///< changes_ when they were rejected
+
+    bool contains(std::size_t loop) const { return first <= loop && loop < end; }
+  };
   /// An active loop and the factor that stands for it.
   struct LoopFactor {
     std::size_t loop;
@@ -66,7 +76,11 @@ class SlamGraph {
   RelativePoseFactor factorOf(const Constraint& constraint) const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
-  bool overridesEstablishedLoops(const std::vector<LoopFactor>& active, std::size_t first_new,
+  Batch append(const std::vector<LoopConstraint>& new_loops);
+  std::size_t setState(const Batch& batch, LoopState from, LoopState to);
+  bool tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution);
+  void tryRejected(ScanId last);
+  bool overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                  const std::vector<FactorResidual>& residuals) const;
   void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
 
@@ -77,6 +91,8 @@ class SlamGraph {
   Pose T_map_odom_;
   PoseGraphSolution last_solution_;  // without its poses and factors
   double moved_end_ = 0.0;
+  std::vector<Batch> rejected_;  // in the order in which they came
+  std::size_t changes_ = 0;      // of the active loops and the configuration
 };
 
 }  // namespace revisit_slam

@@ -9,7 +9,7 @@ namespace revisit_slam {
 /// Whether a loop constraint takes part in the optimisation.
 enum class LoopState {
   active,
-  rejected,  ///< by the graph: it would have overridden established loops
+  rejected,  ///< by the graph: it would override established loops; tried again later
   disabled,  ///< left out on request
 };
 
@@ -21,7 +21,7 @@ struct LoopEdge {
   LoopId id;
   LoopConstraint loop;
   LoopState state = LoopState::active;
-  double chi2_before = 0.0;  ///< when it came
+  double chi2_before = 0.0;  ///< before the optimisation that tried it last
   double chi2_after = 0.0;   ///< after the last optimisation
   double weight = 0.0;       ///< of the robust kernel, 0 … 1; near 0: without effect
 };

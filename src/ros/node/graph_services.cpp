@@ -50,7 +50,7 @@ bool GraphServices::takeBack(TakeBackLoop::Request& request, TakeBackLoop::Respo
   do_in_worker_([&](GraphSession* session) {
     response.success = session && session->disable(LoopId{request.loop});
   });
-  response.message = response.success ? "disabled" : "there is no active loop of this id";
+  response.message = response.success ? "disabled" : "no loop of this id, or it is disabled";
   return true;
 }
 

@@ -65,8 +65,7 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeTakenBack) {
   TakeBackLoop take_back;
   for (std::uint32_t id = 0; id < all; ++id) {
     take_back.request.loop = id;
-    const bool active = corrections.back()->loops[id].state == LoopState::active;
-    EXPECT_EQ(slam.call("back_end/take_back_loop", take_back).response.success, active) << id;
+    EXPECT_TRUE(slam.call("back_end/take_back_loop", take_back).response.success) << id;
   }
   EXPECT_FALSE(slam.call("back_end/take_back_loop", take_back).response.success);
   EXPECT_TRUE(becomesTrue([&] { return isBroadcast(Pose::identity()); }));
