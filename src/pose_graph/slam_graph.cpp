@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/pose_graph/slam_graph.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -76,11 +77,22 @@ SlamGraph::Batch SlamGraph::append(const std::vector<LoopConstraint>& new_loops)
   return batch;
 }
 
+/// Whether these two submaps were registered anew, and that loop has been accepted.
+bool SlamGraph::isSuperseded(std::size_t loop) const {
+  const Constraint& old = loops_[loop].loop.constraint;
+  return std::any_of(loops_.begin() + static_cast<std::ptrdiff_t>(loop) + 1, loops_.end(),
+                     [&](const LoopEdge& edge) {
+                       const Constraint& newer = edge.loop.constraint;
+                       return edge.state == LoopState::active && newer.from == old.from &&
+                              newer.to == old.to;
+                     });
+}
+
 /// @return how many loops changed.
 std::size_t SlamGraph::setState(const Batch& batch, LoopState from, LoopState to) {
   std::size_t changed = 0;
   for (std::size_t i = batch.first; i < batch.end; ++i) {
-    if (loops_[i].state != from) continue;
+    if (loops_[i].state != from || (to == LoopState::active && isSuperseded(i))) continue;
     loops_[i].state = to;
     ++changed;
   }
@@ -131,7 +143,7 @@ void SlamGraph::tryRejected(ScanId last) {
       rejected_.push_back(batch);
       continue;
     }
-    if (setState(batch, LoopState::rejected, LoopState::active) == 0) continue;  // all disabled
+    if (setState(batch, LoopState::rejected, LoopState::active) == 0) continue;  // all out for good
     PoseGraphSolution solution;
     tryBatch(last, batch, solution);
     last_solution_.seconds += solution.seconds;

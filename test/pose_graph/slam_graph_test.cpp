@@ -110,6 +110,14 @@ TEST(SlamGraph, ADisabledLoopIsNotTriedAgain) {
   EXPECT_EQ(graph.loops()[2].state, LoopState::disabled);
 }
 
+TEST(SlamGraph, ARejectedLoopWhoseSubmapsWereRegisteredAnewIsNotTriedAgain) {
+  SlamGraph graph = misledDrive();
+  ASSERT_TRUE(graph.optimise(
+      ScanId{55}, {straight(0, 50), straight(2, 48), straight(4, 46), straight(5, 45)}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::rejected);
+  EXPECT_EQ(graph.loops()[6].state, LoopState::active);
+}
+
 TEST(SlamGraph, RejectedLoopsAreTriedAsTheyCame) {
   SlamGraph graph = misledDrive();
   EXPECT_FALSE(graph.optimise(ScanId{52}, {straight(6, 44, 90.0)}));  // wrong in another way
