@@ -8,19 +8,17 @@
 namespace revisit_slam {
 
 void Travel::start(const Pose& T_odom_base) {
-  start_odom_ = last_odom_ = T_odom_base.translation;
-  path_length_ = 0.0;
+  start_odom_ = T_odom_base.translation;
+  distance_.start(start_odom_);
 }
 
 void Travel::go(const Pose& T_odom_base) {
-  path_length_ += (T_odom_base.translation - last_odom_).norm();
-  last_odom_ = T_odom_base.translation;
+  distance_.go(T_odom_base.translation);
 }
 
 bool Travel::exceeds(const MapSplitConfig& split, const Pose& T_odom_base) const {
   const Eigen::Vector3d& p = T_odom_base.translation;
-  return (p - start_odom_).norm() > split.displacement ||
-         path_length_ + (p - last_odom_).norm() > split.path_length;
+  return (p - start_odom_).norm() > split.displacement || distance_.metresTo(p) > split.path_length;
 }
 
 void SubmapBuilder::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,

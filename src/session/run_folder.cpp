@@ -49,8 +49,8 @@ RunFolder::RunFolder(const std::string& path)
 void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
   const RegisteredScan& scan = *informed.scan;
   odometry_.write({scan.stamp, scan.T_odom_base});
-  if (scan.id.value > 0) path_length_ += (scan.T_odom_base.translation - previous_position_).norm();
-  previous_position_ = scan.T_odom_base.translation;
+  if (scan.id.value == 0) distance_.goOnFrom(scan.T_odom_base.translation);
+  distance_.go(scan.T_odom_base.translation);
   writeInformation(informed);
   writeTimes(scan, times);
 }
@@ -108,7 +108,7 @@ void RunFolder::finish(const RunSummary& summary) const {
         {"dropped", account.dropped}}},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},
-      {"path_length_m", path_length_},
+      {"path_length_m", pathLength()},
       {"wall_seconds", summary.wall_seconds},
       {"cpu_seconds", processCpuSeconds()},
       {"cpu_seconds_per_scan", (processCpuSeconds() - summary.reading_cpu_seconds) / scans},

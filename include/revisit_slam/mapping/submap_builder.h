@@ -2,6 +2,7 @@
 #pragma once
 
 #include "revisit_slam/types/submap.h"
+#include "revisit_slam/types/travelled_distance.h"
 #include "revisit_slam/mapping/mapping_config.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
 
@@ -14,12 +15,11 @@ class Travel {
   void go(const Pose& T_odom_base);
   /// Whether a map that went this far must end before a scan at `T_odom_base`.
   bool exceeds(const MapSplitConfig& split, const Pose& T_odom_base) const;
-  double pathLength() const { return path_length_; }
+  double pathLength() const { return distance_.metres(); }
 
  private:
   Eigen::Vector3d start_odom_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d last_odom_ = Eigen::Vector3d::Zero();
-  double path_length_ = 0.0;
+  TravelledDistance distance_;
 };
 
 /// The one submap that is being built (paper Sec. III-C).

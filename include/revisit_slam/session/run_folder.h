@@ -9,6 +9,7 @@
 #include "revisit_slam/util/parameters.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
+#include "revisit_slam/types/travelled_distance.h"
 #include "revisit_slam/util/stage_times.h"
 #include "revisit_slam/io/trajectory.h"
 
@@ -47,7 +48,7 @@ class RunFolder {
   /// Wall time of what is done once for a local map or an optimisation, for run.json.
   void addTimes(const StageTimes& times);
 
-  double pathLength() const { return path_length_; }
+  double pathLength() const { return distance_.metres(); }
 
   /// Writes run.json, whole or not at all.
   void finish(const RunSummary& summary) const;
@@ -63,8 +64,7 @@ class RunFolder {
   std::ofstream scan_times_;
   std::vector<std::string> stages_;  // in the order of the first scan
   std::map<std::string, std::vector<double>> stage_ms_;
-  Eigen::Vector3d previous_position_ = Eigen::Vector3d::Zero();
-  double path_length_ = 0.0;
+  TravelledDistance distance_;
 };
 
 }  // namespace revisit_slam
