@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
 #include <revisit_slam/SaveMap.h>
-#include <revisit_slam/TakeBackLoop.h>
+#include <revisit_slam/DisableLoop.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/PointCloud2.h>

@@ -9,6 +9,7 @@ namespace revisit_slam {
 /// A pair is removed one release later. Not for parameters in cfg/: dynamic_reconfigure reads those
 /// from the server itself, by their new names alone.
 inline const RenamedParameters kRenamedParameters{
+    {"backend/pulling_weight", "backend/min_inlier_weight"},
     {"loops/agreement/rotation", "loops/consistency/rotation"},
     {"loops/agreement/rotation_drift", "loops/consistency/rotation_drift"},
     {"loops/agreement/translation", "loops/consistency/translation"},

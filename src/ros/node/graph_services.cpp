@@ -19,7 +19,7 @@ GraphServices::GraphServices(const ros::NodeHandle& private_node,
   node.setCallbackQueue(&queue_);
   save_service_ = node.advertiseService("save", &GraphServices::save, this);
   finish_service_ = node.advertiseService("finish", &GraphServices::finish, this);
-  take_back_service_ = node.advertiseService("take_back_loop", &GraphServices::takeBack, this);
+  disable_service_ = node.advertiseService("disable_loop", &GraphServices::disable, this);
   spinner_.start();
 }
 
@@ -46,7 +46,7 @@ bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response)
   return true;
 }
 
-bool GraphServices::takeBack(TakeBackLoop::Request& request, TakeBackLoop::Response& response) {
+bool GraphServices::disable(DisableLoop::Request& request, DisableLoop::Response& response) {
   do_in_worker_([&](GraphSession* session) {
     response.success = session && session->disable(LoopId{request.loop});
   });

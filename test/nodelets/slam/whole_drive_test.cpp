@@ -7,7 +7,7 @@
 namespace revisit_slam {
 namespace {
 
-TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeTakenBack) {
+TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
   DriveWithLoops& drive = DriveWithLoops::get();
   LiveSlam slam("whole_drive");
   tf2_ros::Buffer transforms;
@@ -62,12 +62,12 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeTakenBack) {
 
   // Without any loop the map is that of the odometry again.
   const std::size_t all = corrections.back()->loops.size();
-  TakeBackLoop take_back;
+  DisableLoop disable;
   for (std::uint32_t id = 0; id < all; ++id) {
-    take_back.request.loop = id;
-    EXPECT_TRUE(slam.call("back_end/take_back_loop", take_back).response.success) << id;
+    disable.request.loop = id;
+    EXPECT_TRUE(slam.call("back_end/disable_loop", disable).response.success) << id;
   }
-  EXPECT_FALSE(slam.call("back_end/take_back_loop", take_back).response.success);
+  EXPECT_FALSE(slam.call("back_end/disable_loop", disable).response.success);
   EXPECT_TRUE(becomesTrue([&] { return isBroadcast(Pose::identity()); }));
   ASSERT_TRUE(slam.save(folder.file("without")).success);
   const Trajectory without = readTum(folder.file("without/trajectory.tum"));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <revisit_slam/SaveMap.h>
-#include <revisit_slam/TakeBackLoop.h>
+#include <revisit_slam/DisableLoop.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
@@ -36,7 +36,7 @@ class GraphServices {
 
  private:
   bool save(SaveMap::Request& request, SaveMap::Response& response);
-  bool takeBack(TakeBackLoop::Request& request, TakeBackLoop::Response& response);
+  bool disable(DisableLoop::Request& request, DisableLoop::Response& response);
   bool finish(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   const std::function<void(const Work&)> do_in_worker_;
@@ -50,7 +50,7 @@ class GraphServices {
 
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{2, &queue_};
-  ros::ServiceServer save_service_, finish_service_, take_back_service_;
+  ros::ServiceServer save_service_, finish_service_, disable_service_;
 };
 
 }  // namespace revisit_slam
