@@ -1,6 +1,5 @@
-# The ROS-free half. Nothing here links catkin, and core_without_ros fails the build when a ROS
-# header is included all the same (Debian keeps ROS headers in /usr/include, where any target sees
-# them).
+# The ROS-free half. Nothing here links catkin, and check_layers fails the build when a ROS header is
+# included all the same (Debian keeps ROS headers in /usr/include, where any target sees them).
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(PCL REQUIRED COMPONENTS common io)
 find_package(Ceres REQUIRED)
@@ -18,6 +17,7 @@ if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
 endif()
 
+# From the ground up: a room includes itself and those before it.
 set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp odometry information occupancy mapping pose_graph loops io
     datasets evaluation session slam)
 set(core_sources)
@@ -39,8 +39,8 @@ target_link_libraries(revisit_slam_core
   PRIVATE ${SYSTEM_BLAS} opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
           ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
 
-add_custom_target(core_without_ros ALL
-  COMMAND ${CMAKE_COMMAND} "-DFOLDERS=${REVISIT_SLAM_CORE_FOLDERS};simulation"
-          -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/core_without_ros.cmake
+add_custom_target(check_layers ALL
+  COMMAND ${CMAKE_COMMAND} "-DLAYERS=${REVISIT_SLAM_CORE_FOLDERS};simulation;ros;nodelets;apps"
+          -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/check_layers.cmake
   VERBATIM)
-add_dependencies(revisit_slam_core core_without_ros)
+add_dependencies(revisit_slam_core check_layers)

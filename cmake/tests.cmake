@@ -57,3 +57,7 @@ if(REVISIT_SLAM_SIMULATION)
   target_compile_definitions(slam_rostest PRIVATE REVISIT_SLAM_SIMULATE_PROGRAM="$<TARGET_FILE:simulate>")
   add_dependencies(slam_rostest simulate)
 endif()
+
+# Skipped where clang-format or clang-tidy is another version than the one that formats.
+add_test(NAME format COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --format)
+add_test(NAME tidy COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --tidy)

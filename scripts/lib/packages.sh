@@ -24,4 +24,5 @@ RUN_PACKAGES=(
 
 TEST_PACKAGES=(
   python3-rostest librostest-dev libgtest-dev python3-geometry-msgs python3-std-msgs
+  clang-format clang-tidy git
 )

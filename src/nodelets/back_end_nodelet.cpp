@@ -15,7 +15,7 @@
 #include "revisit_slam/ros/node/occupancy_display.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/back_end.h"
-#include "slam_nodelet.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 

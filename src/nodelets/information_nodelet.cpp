@@ -10,7 +10,7 @@
 #include "revisit_slam/ros/node/patient_publisher.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/information_stage.h"
-#include "slam_nodelet.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 

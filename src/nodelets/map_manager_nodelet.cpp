@@ -13,7 +13,7 @@
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/map_manager.h"
 #include "revisit_slam/util/process_usage.h"
-#include "slam_nodelet.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 

@@ -18,7 +18,7 @@
 #include "revisit_slam/slam/odometry_stage.h"
 #include "revisit_slam/util/recent_times.h"
 #include "revisit_slam/util/work_queue.h"
-#include "slam_nodelet.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "slam_nodelet.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
