@@ -63,9 +63,9 @@ struct BestTwo {
 
 }  // namespace
 
-LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings)
+LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool local_shapes)
     : voxel_size_(config.voxel_size),
-      knows_surroundings_(surroundings),
+      has_shapes_(local_shapes),
       max_points_(static_cast<std::size_t>(config.max_points_per_voxel)),
       capacity_((max_points_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth),
       min_spacing_squared_(
@@ -77,8 +77,7 @@ Points LocalVoxelMap::points(const Pose& T_target_odom) const {
     const float* x = coordinates(block);
     for (std::size_t i = 0; i < sizes_[block]; ++i) {
       const Eigen::Vector3f in_voxel(x[i], x[i + capacity_], x[i + 2 * capacity_]);
-      points.push_back(
-          (T_target_odom * (corner(block) + in_voxel.cast<double>())).cast<float>());
+      points.push_back((T_target_odom * (corner(block) + in_voxel.cast<double>())).cast<float>());
     }
   }
   return points;
@@ -95,20 +94,20 @@ void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
     if (voxel != previous_voxel) block = findOrCreateBlock(voxel);
     previous_voxel = voxel;
     const Eigen::Vector3f in_voxel = (point - corner(block)).cast<float>();
-    if (!insertIntoBlock(block, in_voxel) || !knows_surroundings_) continue;
+    if (!insertIntoBlock(block, in_voxel) || !has_shapes_) continue;
     moments_[block].add(in_voxel);
     changed.push_back(block);
   }
-  lookAround(changed);
+  updateShapes(changed);
 }
 
-void LocalVoxelMap::lookAround(std::vector<BlockIndex>& changed) {
+void LocalVoxelMap::updateShapes(std::vector<BlockIndex>& changed) {
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   Chunks(changed.size(), kBlocksAtATime).forEach([&](std::size_t, Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      surroundings_[changed[i]] = surroundingsOf(momentsAround(voxels_[changed[i]]),
-                                                 static_cast<float>(voxel_size_));
+      shapes_[changed[i]] =
+          localShapeOf(momentsAround(voxels_[changed[i]]), static_cast<float>(voxel_size_));
   });
 }
 
@@ -126,23 +125,22 @@ PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
 }
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
-  const auto [entry, created] =
-      block_of_.try_emplace(packVoxel(voxel), BlockIndex{0});
+  const auto [entry, created] = block_of_.try_emplace(packVoxel(voxel), BlockIndex{0});
   if (!created) return entry->second;
   if (free_blocks_.empty()) {
     free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
     coordinates_.resize(coordinates_.size() + 3 * capacity_);
     voxels_.emplace_back();
-    moments_.resize(knows_surroundings_ ? voxels_.size() : 0);
-    surroundings_.resize(moments_.size());
+    moments_.resize(has_shapes_ ? voxels_.size() : 0);
+    shapes_.resize(moments_.size());
     sizes_.push_back(0);
   }
   const BlockIndex block = free_blocks_.back();
   free_blocks_.pop_back();
   voxels_[block] = voxel;
-  if (knows_surroundings_) {
+  if (has_shapes_) {
     moments_[block] = {};
-    surroundings_[block] = {};
+    shapes_[block] = {};
   }
   entry.value() = block;
   return block;
@@ -219,7 +217,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   const float* x = coordinates(best.block) + best.point;
   const Eigen::Vector3f in_voxel(x[0], x[capacity_], x[2 * capacity_]);
   neighbour.point_odom = corner(best.block) + in_voxel.cast<double>();
-  neighbour.surroundings = knows_surroundings_ ? surroundings_[best.block] : Surroundings{};
+  neighbour.shape = has_shapes_ ? shapes_[best.block] : LocalShape{};
   neighbour.distance = std::sqrt(best.best);
   neighbour.rival_distance = std::sqrt(std::min(best.second, unseen));
   return true;

@@ -23,10 +23,14 @@ void select(const std::vector<float>& values, const VoxelFilter::Indices& indice
 
 const char* toString(OdometryOutcome outcome) {
   switch (outcome) {
-    case OdometryOutcome::registered: return "registered";
-    case OdometryOutcome::duplicate_stamp: return "duplicate stamp";
-    case OdometryOutcome::time_went_back: return "time went back";
-    case OdometryOutcome::no_point_in_range: return "no point in range";
+    case OdometryOutcome::registered:
+      return "registered";
+    case OdometryOutcome::duplicate_stamp:
+      return "duplicate stamp";
+    case OdometryOutcome::time_went_back:
+      return "time went back";
+    case OdometryOutcome::no_point_in_range:
+      return "no point in range";
   }
   return "unknown";
 }
@@ -51,8 +55,8 @@ OdometryResult Odometry::align(const Scan& scan) {
   }
   StageClock clock;
   const PredictedMotion predicted = predictor_->predict(scan.stamp);
-  PreprocessedScan preprocessed = preprocess(scan, predicted.velocity, config_,
-                                             predicted.is_known ? predicted.seconds : 0.0);
+  PreprocessedScan preprocessed =
+      preprocess(scan, predicted.velocity, config_, predicted.is_known ? predicted.seconds : 0.0);
   result.too_near = preprocessed.too_near;
   result.too_far = preprocessed.too_far;
   if (preprocessed.points_base.empty()) {
@@ -65,7 +69,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.deskewed = preprocessed.deskewed;
   registered.sensor_base = scan.T_base_sensor.translation;
   registered.points_base = std::move(preprocessed.points_base);
-  lags_ = std::move(preprocessed.lags);
+  sweep_fractions_ = std::move(preprocessed.sweep_fractions);
   clock.stage("preprocess");
 
   downsample(registered);
@@ -75,14 +79,14 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.sigma = predicted.is_after_gap
                          ? std::max(config_.threshold.initial, threshold_.sigma())
                          : threshold_.sigma();
-  registered.registration = registration_.align(registered.source_base, source_lags_, map_,
-                                                T_odom_predicted, registered.sigma);
+  registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
+                                                map_, T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
   if (scans_ == 0 && registered.deskewed) first_scan_ = scan;
   if (scans_ == 1 && !predicted.is_after_gap) startAgain(scan, predicted.seconds, registered);
   const Pose deviation = T_odom_predicted.inverse() * registered.T_odom_base;
-  registered.deskew_error = log(deviation) - registered.registration.bend;
-  if (!lags_.empty()) deskewAgain(registered);
+  registered.deskew_error = log(deviation) - registered.registration.deskew_correction;
+  if (!sweep_fractions_.empty()) deskewAgain(registered);
   registered.seconds_since_previous = predicted.seconds;
   if (predicted.seconds > 0.0)
     registered.velocity_base =
@@ -113,14 +117,14 @@ OdometryResult Odometry::registerScan(const Scan& scan) {
 
 void Odometry::downsample(RegisteredScan& registered) {
   const double voxel_size = config_.map.voxel_size;
-  select(lags_,
-         voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size,
-                              map_points_base_),
-         map_lags_);
-  select(map_lags_,
+  select(
+      sweep_fractions_,
+      voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_),
+      map_sweep_fractions_);
+  select(map_sweep_fractions_,
          voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
                                     registered.source_base),
-         source_lags_);
+         source_sweep_fractions_);
 }
 
 /// Nothing was known of the motion when the first two scans were deskewed. From both as they are it
@@ -145,10 +149,10 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
 
 /// With what the registration found that the prediction had missed.
 void Odometry::deskewAgain(RegisteredScan& registered) {
-  const Tangent& bend = registered.registration.bend;
-  straighten(registered.points_base, lags_, bend);
-  straighten(map_points_base_, map_lags_, bend);
-  straighten(registered.source_base, source_lags_, bend);
+  const Tangent& correction = registered.registration.deskew_correction;
+  applyDeskewCorrection(registered.points_base, sweep_fractions_, correction);
+  applyDeskewCorrection(map_points_base_, map_sweep_fractions_, correction);
+  applyDeskewCorrection(registered.source_base, source_sweep_fractions_, correction);
 }
 
 void Odometry::reconfigure(const OdometryConfig& config) {

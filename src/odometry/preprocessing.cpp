@@ -14,8 +14,9 @@ struct ChunkCount {
 };
 
 /// The points of one chunk, written to the front of the chunk's own part of the output.
-ChunkCount preprocessChunk(const Scan& scan, const ConstantMotion* motion, float lag_per_second,
-                           const OdometryConfig& config, Chunk chunk, PreprocessedScan& result) {
+ChunkCount preprocessChunk(const Scan& scan, const ConstantMotion* motion,
+                           float fraction_per_second, const OdometryConfig& config, Chunk chunk,
+                           PreprocessedScan& result) {
   const Eigen::Matrix3f R = scan.T_base_sensor.rotationMatrix().cast<float>();
   const Eigen::Vector3f t = scan.T_base_sensor.translation.cast<float>();
   const auto squared = [](double range) { return static_cast<float>(range * range); };
@@ -30,8 +31,8 @@ ChunkCount preprocessChunk(const Scan& scan, const ConstantMotion* motion, float
     const Eigen::Vector3f in_base = R * point + t;
     const std::size_t place = chunk.begin + count.kept++;
     result.points_base[place] = motion ? motion->carry(scan.times[i], in_base) : in_base;
-    if (!result.lags.empty())
-      result.lags[place] = std::min(1.0f, -lag_per_second * scan.times[i]);
+    if (!result.sweep_fractions.empty())
+      result.sweep_fractions[place] = std::min(1.0f, -fraction_per_second * scan.times[i]);
   }
   return count;
 }
@@ -49,40 +50,42 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
                             const OdometryConfig& config, double seconds_since_previous) {
   PreprocessedScan result;
   result.deskewed = config.deskew && !scan.times.empty();
-  const bool has_lags = result.deskewed && seconds_since_previous > 0.0;
+  const bool has_fractions = result.deskewed && seconds_since_previous > 0.0;
   result.points_base.resize(scan.points.size());
-  if (has_lags) result.lags.resize(scan.points.size());
+  if (has_fractions) result.sweep_fractions.resize(scan.points.size());
   const ConstantMotion* motion = result.deskewed ? &motion_base : nullptr;
-  const auto lag_per_second = static_cast<float>(has_lags ? 1.0 / seconds_since_previous : 0.0);
+  const auto fraction_per_second =
+      static_cast<float>(has_fractions ? 1.0 / seconds_since_previous : 0.0);
   const Chunks chunks(scan.points.size(), 8192);
   std::vector<ChunkCount> counts(chunks.size());
   chunks.forEach([&](std::size_t index, Chunk chunk) {
-    counts[index] = preprocessChunk(scan, motion, lag_per_second, config, chunk, result);
+    counts[index] = preprocessChunk(scan, motion, fraction_per_second, config, chunk, result);
   });
 
   std::size_t kept = 0;  // close the gaps between the chunks
   for (std::size_t index = 0; index < chunks.size(); ++index) {
     const std::size_t begin = chunks[index].begin, count = counts[index].kept;
     moveToFront(result.points_base, begin, count, kept);
-    if (has_lags) moveToFront(result.lags, begin, count, kept);
+    if (has_fractions) moveToFront(result.sweep_fractions, begin, count, kept);
     kept += counts[index].kept;
     result.too_near += counts[index].too_near;
     result.too_far += counts[index].too_far;
   }
   result.points_base.resize(kept);
-  if (has_lags) result.lags.resize(kept);
+  if (has_fractions) result.sweep_fractions.resize(kept);
   return result;
 }
 
-/// To first order in the lag: the bend is small.
-void straighten(Points& points_base, const std::vector<float>& lags, const Tangent& bend) {
-  const Pose T_end_begin = exp(-bend);
+/// To first order in the fraction: the correction is small.
+void applyDeskewCorrection(Points& points_base, const std::vector<float>& sweep_fractions,
+                           const Tangent& correction) {
+  const Pose T_end_begin = exp(-correction);
   const Eigen::Matrix3f turned =
       (T_end_begin.rotationMatrix() - Eigen::Matrix3d::Identity()).cast<float>();
   const Eigen::Vector3f moved = T_end_begin.translation.cast<float>();
   Chunks(points_base.size(), 8192).forEach([&](std::size_t, Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      points_base[i] += lags[i] * (turned * points_base[i] + moved);
+      points_base[i] += sweep_fractions[i] * (turned * points_base[i] + moved);
   });
 }
 

@@ -14,18 +14,18 @@ namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kChunkLength = 256;
-/// As long as the tolerance is not the finest, a step that is so many times longer ends ICP.
+/// As long as the sigma is not the final one, a step that is so many times longer ends ICP.
 constexpr double kCoarseConvergence = 10.0;
 /// The bounds on distances are floats of values below 20 m.
 constexpr double kBoundMargin = 1e-5;
 
-/// The base while a scan was taken: at T_odom_base * Exp(-s * bend) for points with the lag s, to
-/// first order in s.
-class BentPose {
+/// The base during the sweep: at T_odom_base * Exp(-s * correction) for points with the sweep
+/// fraction s, to first order in s.
+class SweepPose {
  public:
-  BentPose(const Pose& T_odom_base, const Tangent& bend)
+  SweepPose(const Pose& T_odom_base, const Tangent& correction)
       : R_(T_odom_base.rotationMatrix()), t_(T_odom_base.translation) {
-    const Pose T_odom_begin = T_odom_base * exp(-bend);
+    const Pose T_odom_begin = T_odom_base * exp(-correction);
     turned_ = T_odom_begin.rotationMatrix() - R_;
     moved_ = T_odom_begin.translation - t_;
   }
@@ -33,8 +33,8 @@ class BentPose {
   /// At the end of the scan.
   const Eigen::Matrix3d& R_odom_base() const { return R_; }
 
-  Eigen::Vector3d toOdom(const Eigen::Vector3d& p_base, double lag) const {
-    return R_ * p_base + t_ + lag * (turned_ * p_base + moved_);
+  Eigen::Vector3d toOdom(const Eigen::Vector3d& p_base, double fraction) const {
+    return R_ * p_base + t_ + fraction * (turned_ * p_base + moved_);
   }
 
  private:
@@ -116,23 +116,22 @@ bool isNearMap(const Eigen::Vector3d& p_odom, const LocalVoxelMap& map, double m
 }
 
 /// The denser the map, the less the nearest point depends on where rays fell.
-double pointWeight(const Surroundings& around, const RegistrationConfig& config) {
+double pointWeight(const LocalShape& around, const RegistrationConfig& config) {
   if (!config.planes) return 1.0;
-  if (around.spread == Spread::sparse) return config.sparse_weight;
+  if (around.kind == ShapeKind::sparse) return config.sparse_weight;
   return std::min(1.0, static_cast<double>(around.points) / config.scattered_points);
 }
 
 /// Adds a point p with r = R^T (T p - q): as one of a plane, or as a point.
 void addMatch(const Eigen::Vector3d& p, const Eigen::Vector3d& r, const Eigen::Matrix3d& R,
-              const Surroundings& surroundings, double sigma, const RegistrationConfig& config,
-              Sums& sums) {
+              const LocalShape& shape, double sigma, const RegistrationConfig& config, Sums& sums) {
   const auto robust = [sigma](double squared) {
     const double root = sigma / (sigma + squared);
     return root * root;
   };
   ++sums.count;
-  if (config.planes && surroundings.spread == Spread::planar) {
-    const Eigen::Vector3d n = R.transpose() * surroundings.normal.cast<double>();
+  if (config.planes && shape.kind == ShapeKind::planar) {
+    const Eigen::Vector3d n = R.transpose() * shape.normal.cast<double>();
     const double e = n.dot(r), weight = robust(e * e);
     sums.r2 += e * e;
     sums.addPlane(p, n, e, weight);
@@ -140,24 +139,25 @@ void addMatch(const Eigen::Vector3d& p, const Eigen::Vector3d& r, const Eigen::M
   } else {
     const double squared = r.squaredNorm();
     sums.r2 += squared;
-    sums.addPoint(p, r, pointWeight(surroundings, config) * robust(squared));
+    sums.addPoint(p, r, pointWeight(shape, config) * robust(squared));
   }
 }
 
 /// The normal equations of one chunk of points at a pose.
-Sums sumChunk(const Points& points_base, const std::vector<float>& lags, Chunk chunk,
-              const LocalVoxelMap& map, const BentPose& pose, double sigma,
+Sums sumChunk(const Points& points_base, const std::vector<float>& sweep_fractions, Chunk chunk,
+              const LocalVoxelMap& map, const SweepPose& pose, double sigma,
               const RegistrationConfig& config, std::vector<CachedMatch>& matches) {
   const Eigen::Matrix3d& R = pose.R_odom_base();
   const double max_distance = Registration::maxCorrespondenceDistance(sigma);
   Sums sums;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3d p = points_base[i].cast<double>();
-    const Eigen::Vector3d p_odom = pose.toOdom(p, lags.empty() ? 0.0 : lags[i]);
+    const Eigen::Vector3d p_odom =
+        pose.toOdom(p, sweep_fractions.empty() ? 0.0 : sweep_fractions[i]);
     if (!isNearMap(p_odom, map, max_distance, matches[i])) continue;
     const Neighbour& neighbour = matches[i].neighbour;
-    addMatch(p, R.transpose() * (p_odom - neighbour.point_odom), R, neighbour.surroundings, sigma,
-             config, sums);
+    addMatch(p, R.transpose() * (p_odom - neighbour.point_odom), R, neighbour.shape, sigma, config,
+             sums);
   }
   return sums;
 }
@@ -167,18 +167,19 @@ double mean(const std::vector<float>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-/// A bend as a linear function of how far the pose is from the prediction.
-Matrix6 bendPerDeviation(const Matrix6& H, const RegistrationConfig& config) {
+/// The deskew correction as a linear function of how far the pose is from the prediction.
+Matrix6 correctionPerDeviation(const Matrix6& H, const RegistrationConfig& config) {
   Matrix6 damped = H;
-  damped.diagonal().array() += config.held_weight;
-  return config.own_motion * damped.ldlt().solve(H);
+  damped.diagonal().array() += config.deskew_damping;
+  return config.deskew_gain * damped.ldlt().solve(H);
 }
 
-/// The pose moves the points by (1 - lag * bend_per_deviation) times its own step: by the mean lag's
-/// where the bend is to follow, which is near enough to converge.
-Tangent stepWithBend(NormalEquations equations, const Tangent& deviation,
-                     const Matrix6& bend_per_deviation, double mean_lag, double prediction_weight) {
-  equations.H -= mean_lag * equations.H * bend_per_deviation;
+/// A step of the pose moves the points by (1 - fraction * correction_per_deviation) of itself. The
+/// mean fraction stands for all, which is near enough to converge.
+Tangent stepWithCorrection(NormalEquations equations, const Tangent& deviation,
+                           const Matrix6& correction_per_deviation, double mean_fraction,
+                           double prediction_weight) {
+  equations.H -= mean_fraction * equations.H * correction_per_deviation;
   equations.H.diagonal().array() += prediction_weight;
   equations.g += prediction_weight * deviation;
   return equations.H.fullPivLu().solve(-equations.g);
@@ -186,7 +187,8 @@ Tangent stepWithBend(NormalEquations equations, const Tangent& deviation,
 
 }  // namespace
 
-RegistrationResult Registration::align(const Points& points_base, const std::vector<float>& lags,
+RegistrationResult Registration::align(const Points& points_base,
+                                       const std::vector<float>& sweep_fractions,
                                        const LocalVoxelMap& map, const Pose& T_odom_predicted,
                                        double sigma) {
   RegistrationResult result;
@@ -196,51 +198,51 @@ RegistrationResult Registration::align(const Points& points_base, const std::vec
   const Chunks chunks(points_base.size(), kChunkLength);
   std::vector<Sums> chunk_sums(chunks.size());
   const auto deviation = [&] { return log(T_odom_predicted.inverse() * result.T_odom_base); };
-  const double mean_lag = mean(lags);
-  bool has_ended_coarser = false;
+  const double mean_fraction = mean(sweep_fractions);
+  bool has_converged_before = false;
 
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
-    const BentPose pose(result.T_odom_base, result.bend);
+    const SweepPose pose(result.T_odom_base, result.deskew_correction);
     chunks.forEach([&](std::size_t index, Chunk chunk) {
       chunk_sums[index] =
-          sumChunk(points_base, lags, chunk, map, pose, sigma, config_, matches_);
+          sumChunk(points_base, sweep_fractions, chunk, map, pose, sigma, config_, matches_);
     });
     Sums sums;
     for (const Sums& chunk : chunk_sums) sums += chunk;
     result.correspondences = sums.count;
     if (sums.count < static_cast<std::size_t>(config_.min_correspondences)) {
-      if (has_ended_coarser) {
+      if (has_converged_before) {
         result.outcome = RegistrationOutcome::converged;
         break;
       }
       result.T_odom_base = T_odom_predicted;
-      result.bend = Tangent::Zero();
+      result.deskew_correction = Tangent::Zero();
       result.outcome = RegistrationOutcome::too_few_correspondences;
       return result;
     }
     result.rms_residual = std::sqrt(sums.r2 / static_cast<double>(sums.count));
     const NormalEquations equations = sums.normalEquations();
     Tangent step;
-    if (lags.empty()) {
+    if (sweep_fractions.empty()) {
       step = equations.H.ldlt().solve(-equations.g);
       result.T_odom_base = boxplus(result.T_odom_base, step);
     } else {
-      const Matrix6 bend_per_deviation = bendPerDeviation(equations.H, config_);
-      step = stepWithBend(equations, deviation(), bend_per_deviation, mean_lag,
-                          config_.prediction_weight);
+      const Matrix6 correction_per_deviation = correctionPerDeviation(equations.H, config_);
+      step = stepWithCorrection(equations, deviation(), correction_per_deviation, mean_fraction,
+                                config_.prediction_weight);
       result.T_odom_base = boxplus(result.T_odom_base, step);
-      result.bend = bend_per_deviation * deviation();
+      result.deskew_correction = correction_per_deviation * deviation();
     }
     ++result.iterations;
-    const bool is_finest = sigma <= config_.finest_sigma;
-    if (step.norm() >= (is_finest ? 1.0 : kCoarseConvergence) * config_.convergence) continue;
-    if (is_finest) {
+    const bool is_final = sigma <= config_.final_sigma;
+    if (step.norm() >= (is_final ? 1.0 : kCoarseConvergence) * config_.convergence) continue;
+    if (is_final) {
       result.outcome = RegistrationOutcome::converged;
       break;
     }
-    sigma = std::max(config_.finest_sigma, 0.5 * sigma);
-    has_ended_coarser = true;
+    sigma = std::max(config_.final_sigma, 0.5 * sigma);
+    has_converged_before = true;
   }
   return result;
 }

@@ -111,12 +111,12 @@ TEST(LocalVoxelMap, DropsVoxelsWhoseCentreIsTooFarAndUsesTheirPlaceAgain) {
 }
 
 /// Of the points of the map in the voxel of `point` and around it.
-Surroundings surroundingsByRule(const Points& points, const Eigen::Vector3d& point) {
+LocalShape shapeByRule(const Points& points, const Eigen::Vector3d& point) {
   PointMoments around;
   for (const Eigen::Vector3f& other : points)
     if ((voxelIn(other.cast<double>(), 1.0) - voxelIn(point, 1.0)).cwiseAbs().maxCoeff() <= 1.0)
       around.add(other - point.cast<float>());
-  return surroundingsOf(around, 1.0f);
+  return localShapeOf(around, 1.0f);
 }
 
 TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
@@ -137,19 +137,19 @@ TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
                                        Eigen::Vector3d(21.4, 0, 0), Eigen::Vector3d(20, 1, 1)}) {
     Neighbour neighbour;
     ASSERT_TRUE(map.nearest(query, 1.0, neighbour));
-    const Surroundings expected = surroundingsByRule(map.points(), neighbour.point_odom);
-    EXPECT_EQ(neighbour.surroundings.spread, expected.spread);
-    EXPECT_EQ(neighbour.surroundings.points, expected.points);
-    EXPECT_GE(std::abs(neighbour.surroundings.normal.dot(expected.normal)),
+    const LocalShape expected = shapeByRule(map.points(), neighbour.point_odom);
+    EXPECT_EQ(neighbour.shape.kind, expected.kind);
+    EXPECT_EQ(neighbour.shape.points, expected.points);
+    EXPECT_GE(std::abs(neighbour.shape.normal.dot(expected.normal)),
               expected.normal.squaredNorm() - 1e-3f);
-    planar += expected.spread == Spread::planar;
-    scattered += expected.spread == Spread::scattered;
+    planar += expected.kind == ShapeKind::planar;
+    scattered += expected.kind == ShapeKind::scattered;
   }
   EXPECT_EQ(planar, 2);
   EXPECT_EQ(scattered, 2);
 }
 
-TEST(LocalVoxelMap, HoldsTheSamePointsWithoutTheirSurroundings) {
+TEST(LocalVoxelMap, HoldsTheSamePointsWithoutTheirShapes) {
   RandomNumbers random(8);
   LocalVoxelMap with({1.0, 20}), without({1.0, 20}, false);
   const Points points = random.cloud(5000, 8.0);
@@ -158,9 +158,9 @@ TEST(LocalVoxelMap, HoldsTheSamePointsWithoutTheirSurroundings) {
   EXPECT_EQ(with.points(), without.points());
   Neighbour neighbour;
   ASSERT_TRUE(without.nearest(points[0].cast<double>(), 1.0, neighbour));
-  EXPECT_EQ(neighbour.surroundings.points, 0.0f);
+  EXPECT_EQ(neighbour.shape.points, 0.0f);
   ASSERT_TRUE(with.nearest(points[0].cast<double>(), 1.0, neighbour));
-  EXPECT_GT(neighbour.surroundings.points, 0.0f);
+  EXPECT_GT(neighbour.shape.points, 0.0f);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ double wayOverTheField(const OdometryConfig& config) {
 
 TEST(OdometryOnRings, PlanesFreeItFromTheRingsThatMoveAlong) {
   OdometryConfig config;
-  config.registration.finest_sigma = 1000.0;  // one tolerance
+  config.registration.final_sigma = 1000.0;  // one tolerance
   EXPECT_NEAR(wayOverTheField(config), 20.0, 0.8);
   config.registration.planes = false;
   EXPECT_LT(wayOverTheField(config), 15.0);

@@ -46,9 +46,9 @@ TEST(Odometry, StartingInMotionDeskewsTheSecondScanAsIfTheMotionHadBeenKnown) {
 
 TEST(Odometry, DeskewsWithTheMotionOfTheScanItself) {
   const Drive drive = walkInRoom(40);
-  const auto meanErrorOfMotions = [&](double own_motion) {
+  const auto meanErrorOfMotions = [&](double deskew_gain) {
     OdometryConfig config = roomConfig();
-    config.registration.own_motion = own_motion;
+    config.registration.deskew_gain = deskew_gain;
     Odometry odometry(config);
     Pose T_odom_before;
     double sum = 0.0;
@@ -61,16 +61,17 @@ TEST(Odometry, DeskewsWithTheMotionOfTheScanItself) {
     }
     return sum / static_cast<double>(drive.scans.size() - 10);
   };
-  EXPECT_LT(meanErrorOfMotions(RegistrationConfig{}.own_motion), 0.5 * meanErrorOfMotions(0.0));
+  EXPECT_LT(meanErrorOfMotions(RegistrationConfig{}.deskew_gain), 0.5 * meanErrorOfMotions(0.0));
 }
 
 TEST(Odometry, HandsOnPointsThatAreDeskewedWithTheMotionOfTheScanItself) {
   const Drive drive = walkInRoom(40);
   const Scan& last = drive.scans.back();
-  const Points truth = preprocess(last, ConstantMotion(drive.last_velocity), roomConfig()).points_base;
-  const auto meanErrorOfPoints = [&](double own_motion) {
+  const Points truth =
+      preprocess(last, ConstantMotion(drive.last_velocity), roomConfig()).points_base;
+  const auto meanErrorOfPoints = [&](double deskew_gain) {
     OdometryConfig config = roomConfig();
-    config.registration.own_motion = own_motion;
+    config.registration.deskew_gain = deskew_gain;
     Odometry odometry(config);
     OdometryResult result;
     for (const Scan& scan : drive.scans) result = odometry.registerScan(scan);
@@ -79,7 +80,7 @@ TEST(Odometry, HandsOnPointsThatAreDeskewedWithTheMotionOfTheScanItself) {
     for (std::size_t i = 0; i < truth.size(); ++i) sum += (points.at(i) - truth[i]).norm();
     return sum / static_cast<double>(truth.size());
   };
-  EXPECT_LT(meanErrorOfPoints(RegistrationConfig{}.own_motion), 0.6 * meanErrorOfPoints(0.0));
+  EXPECT_LT(meanErrorOfPoints(RegistrationConfig{}.deskew_gain), 0.6 * meanErrorOfPoints(0.0));
 }
 
 TEST(Odometry, StartsWhereItIs) {
@@ -125,7 +126,8 @@ TEST(Odometry, GivesTheSameBitsForAnyNumberOfThreads) {
   const Drive drive = driveInRoom(10);
   Odometry one(roomConfig()), two(roomConfig()), four(roomConfig());
   const auto poseOn = [](int threads, Odometry& odometry, const Scan& scan) {
-    return onThreads(threads, [&] { return odometry.registerScan(scan).scan->T_odom_base.matrix(); });
+    return onThreads(threads,
+                     [&] { return odometry.registerScan(scan).scan->T_odom_base.matrix(); });
   };
   for (const Scan& scan : drive.scans) {
     const auto expected = poseOn(1, one, scan);

@@ -83,16 +83,16 @@ TEST(Preprocess, LagsAreThoseOfThePointsThatWereKept) {
   const Scan scan =
       seenWhileMoving(random.cloud(30000, 60.0), Tangent::Zero(), Pose::identity(), random);
   const auto result = preprocess(scan, ConstantMotion(), ranges(20.0, 60.0), 0.08);
-  ASSERT_EQ(result.lags.size(), result.points_base.size());
-  ASSERT_LT(result.lags.size(), scan.points.size());
+  ASSERT_EQ(result.sweep_fractions.size(), result.points_base.size());
+  ASSERT_LT(result.sweep_fractions.size(), scan.points.size());
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < scan.points.size() && kept < result.lags.size(); ++i) {
+  for (std::size_t i = 0; i < scan.points.size() && kept < result.sweep_fractions.size(); ++i) {
     if (scan.points[i] != result.points_base[kept]) continue;
-    EXPECT_FLOAT_EQ(result.lags[kept], std::min(1.0f, -scan.times[i] / 0.08f));
+    EXPECT_FLOAT_EQ(result.sweep_fractions[kept], std::min(1.0f, -scan.times[i] / 0.08f));
     ++kept;
   }
-  EXPECT_EQ(kept, result.lags.size());
-  EXPECT_TRUE(preprocess(scan, ConstantMotion(), ranges(20.0, 60.0)).lags.empty());
+  EXPECT_EQ(kept, result.sweep_fractions.size());
+  EXPECT_TRUE(preprocess(scan, ConstantMotion(), ranges(20.0, 60.0)).sweep_fractions.empty());
 }
 
 TEST(Preprocess, StraighteningUndoesWhatTheDeskewingMissed) {
@@ -109,8 +109,8 @@ TEST(Preprocess, StraighteningUndoesWhatTheDeskewingMissed) {
     return largest;
   };
   EXPECT_GT(largestError(), 0.4f);
-  straighten(result.points_base, result.lags,
-             log(exp(0.1 * guess).inverse() * exp(0.1 * driving())));
+  applyDeskewCorrection(result.points_base, result.sweep_fractions,
+                        log(exp(0.1 * guess).inverse() * exp(0.1 * driving())));
   EXPECT_LT(largestError(), 0.03f);
 }
 

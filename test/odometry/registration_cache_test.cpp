@@ -16,10 +16,10 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
   RegistrationResult result;
   double step_length = 1.0;
   while (result.iterations < config.max_iterations) {
-    const bool is_finest = sigma <= config.finest_sigma;
-    if (is_finest && step_length < config.convergence) break;
-    if (!is_finest && step_length < 10.0 * config.convergence) {
-      sigma = std::max(config.finest_sigma, 0.5 * sigma);
+    const bool is_final = sigma <= config.final_sigma;
+    if (is_final && step_length < config.convergence) break;
+    if (!is_final && step_length < 10.0 * config.convergence) {
+      sigma = std::max(config.final_sigma, 0.5 * sigma);
       step_length = 1.0;
       continue;
     }
@@ -36,11 +36,11 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
       J << Eigen::Matrix3d::Identity(), -skew(p);
       Eigen::Matrix3d M = Eigen::Matrix3d::Identity();  // the cost of a point is r^T M r
       double squared = r.squaredNorm();
-      const auto& [spread, normal, around] = neighbour.surroundings;
-      if (config.planes && spread == Spread::sparse) M *= config.sparse_weight;
-      if (config.planes && spread == Spread::scattered)
+      const auto& [spread, normal, around] = neighbour.shape;
+      if (config.planes && spread == ShapeKind::sparse) M *= config.sparse_weight;
+      if (config.planes && spread == ShapeKind::scattered)
         M *= std::min(1.0, around / config.scattered_points);
-      if (config.planes && spread == Spread::planar) {
+      if (config.planes && spread == ShapeKind::planar) {
         const Eigen::Vector3d n = T.rotation.conjugate() * normal.cast<double>();
         M = n * n.transpose() + config.within_plane_weight * Eigen::Matrix3d::Identity();
         squared = std::pow(n.dot(r), 2);

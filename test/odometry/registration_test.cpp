@@ -54,9 +54,9 @@ TEST(Registration, WhatIsNewToTheMapDoesNotPullOnceTheToleranceIsFine) {
   for (const Eigen::Vector3f& p : screenBefore(known, 0.8f))
     if (p.x() > 0.0f) seen.push_back(p);
   const Pose truth = exp(RandomNumbers(7).tangent(0.2, 0.02));
-  const auto errorWith = [&](double finest_sigma) {
+  const auto errorWith = [&](double final_sigma) {
     RegistrationConfig config;
-    config.finest_sigma = finest_sigma;
+    config.final_sigma = final_sigma;
     const auto result =
         Registration(config).align(seenFrom(truth, seen), {}, map, Pose::identity(), 2.0);
     EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
@@ -72,7 +72,7 @@ TEST(Registration, WhereAFineToleranceLeavesTooFewMatchesTheCoarserResultStands)
     if (apart.size() < 12) apart.push_back(p * (apart.size() % 2 ? 0.9f : 1.1f));
   const Pose initial = exp(RandomNumbers(8).tangent(0.1, 0.01));
   RegistrationConfig config;
-  config.finest_sigma = 0.01;
+  config.final_sigma = 0.01;
   const auto result = Registration(config).align(apart, {}, map, initial, 2.0);
   EXPECT_EQ(result.outcome, RegistrationOutcome::converged);
   EXPECT_LT(result.correspondences, 10u);

@@ -10,28 +10,29 @@
 #include "revisit_slam/types/scan.h"
 #include "revisit_slam/geometry/voxel.h"
 #include "revisit_slam/icp/local_voxel_map_config.h"
-#include "revisit_slam/icp/surroundings.h"
+#include "revisit_slam/icp/local_shape.h"
 
 namespace revisit_slam {
 
-/// The map point nearest to a query, what lies around it, and how far its rivals are.
+/// The map point nearest to a query, the shape of the map around it, and how far its rivals are.
 struct Neighbour {
   Eigen::Vector3d point_odom;
-  Surroundings surroundings;
+  LocalShape shape;
   float distance;        ///< m, from the query to the point
   float rival_distance;  ///< m, lower bound of the distance from the query to any other point
 };
 
 /// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
 /// A point enters when its voxel has room and no point of that voxel is closer than
-/// voxel_size / sqrt(max_points_per_voxel). What surrounds the points of a voxel is looked at
-/// whenever one enters it. Points are kept relative to their voxel, so that float
+/// voxel_size / sqrt(max_points_per_voxel). The local shape of a voxel is determined anew
+/// whenever a point enters it. Points are kept relative to their voxel, so that float
 /// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
 /// calls alone.
 class LocalVoxelMap {
  public:
-  /// `surroundings`: false leaves out those of neighbours, which are then sparse without points.
-  explicit LocalVoxelMap(const LocalVoxelMapConfig& config, bool surroundings = true);
+  /// `local_shapes`: false leaves out the shapes of neighbours, which are then sparse without
+  /// points.
+  explicit LocalVoxelMap(const LocalVoxelMapConfig& config, bool local_shapes = true);
 
   bool empty() const { return block_of_.empty(); }
   std::size_t voxels() const { return block_of_.size(); }
@@ -59,13 +60,15 @@ class LocalVoxelMap {
   BlockIndex findOrCreateBlock(const Voxel& voxel);
   /// @return whether the point entered.
   bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
-  void lookAround(std::vector<BlockIndex>& changed);
+  void updateShapes(std::vector<BlockIndex>& changed);
   PointMoments momentsAround(const Voxel& voxel) const;
   const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
-  Eigen::Vector3d corner(BlockIndex block) const { return voxel_size_ * voxels_[block].cast<double>(); }
+  Eigen::Vector3d corner(BlockIndex block) const {
+    return voxel_size_ * voxels_[block].cast<double>();
+  }
 
   double voxel_size_;
-  bool knows_surroundings_;
+  bool has_shapes_;
   std::size_t max_points_;
   std::size_t capacity_;  // max_points_ rounded up for whole vector registers
   float min_spacing_squared_;
@@ -73,9 +76,9 @@ class LocalVoxelMap {
   tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
   std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
   std::vector<Voxel> voxels_;
-  std::vector<PointMoments> moments_;       // from the voxel's corner; empty if not known
-  std::vector<Surroundings> surroundings_;  // empty if not known
-  std::vector<std::uint16_t> sizes_;  // 0: the block is free
+  std::vector<PointMoments> moments_;  // from the voxel's corner; empty without shapes
+  std::vector<LocalShape> shapes_;     // empty without shapes
+  std::vector<std::uint16_t> sizes_;   // 0: the block is free
   std::vector<BlockIndex> free_blocks_;
 };
 

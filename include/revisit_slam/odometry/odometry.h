@@ -19,8 +19,8 @@ namespace revisit_slam {
 
 enum class OdometryOutcome {
   registered,
-  duplicate_stamp,   ///< the stamp of the scan before
-  time_went_back,    ///< older than the scan before
+  duplicate_stamp,  ///< the stamp of the scan before
+  time_went_back,   ///< older than the scan before
   no_point_in_range,
 };
 
@@ -43,12 +43,13 @@ class Odometry {
   explicit Odometry(const OdometryConfig& config);
   Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor> predictor);
 
-  /// Registers a scan to the map, from the predicted motion. The map stays as it is until commit(), so
-  /// that the registration can be looked at beside it; the second scan alone corrects what the first has
-  /// left there, as only then is known how that one was moved.
+  /// Registers a scan to the map, from the predicted motion. The map stays as it is until commit(),
+  /// so that the registration can be looked at beside it; the second scan alone corrects what the
+  /// first has left there, as only then is known how that one was moved.
   OdometryResult align(const Scan& scan);
 
-  /// Takes the scan that was aligned into the map and its motion into the prediction. There must be one.
+  /// Takes the scan that was aligned into the map and its motion into the prediction. There must be
+  /// one.
   void commit();
 
   /// Both.
@@ -78,8 +79,10 @@ class Odometry {
   Registration registration_;
   AdaptiveThreshold threshold_;
   VoxelFilter voxel_filter_;
-  std::vector<float> lags_, map_lags_, source_lags_;  // of the points of the scan
-  Points map_points_base_;                            // of the scan, as they enter the map
+  std::vector<float> sweep_fractions_;      // of the points of the scan
+  Points map_points_base_;                  // of the scan, as they enter the map
+  std::vector<float> map_sweep_fractions_;  // of these
+  std::vector<float> source_sweep_fractions_;
 
   std::uint32_t scans_ = 0;
   std::optional<Scan> first_scan_;  // until the second is registered

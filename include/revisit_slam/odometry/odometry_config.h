@@ -9,42 +9,59 @@ namespace revisit_slam {
 struct RegistrationConfig {
   int max_iterations = 500;
   double convergence = 1e-4;
-  double finest_sigma = 0.2;
+  double final_sigma = 0.2;
   int min_correspondences = 10;
   bool planes = true;
   double within_plane_weight = 0.001;
   double scattered_points = 150.0;
   double sparse_weight = 0.02;
-  double own_motion = 0.667;
-  double held_weight = 500.0;
+  double deskew_gain = 0.667;
+  double deskew_damping = 500.0;
   double prediction_weight = 20.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("max_iterations", max_iterations, Range{1, 10000}, "", "ICP iterations at most");
+    v("max_iterations", max_iterations, Range{1, 10000}, "",
+      "largest number of ICP iterations of a scan. Raise it if registrations report that it was "
+      "reached; lower it to bound the time of a scan");
     v("convergence", convergence, Range{1e-9, 1e-1}, "m, rad",
-      "ICP ends when its step [translation; rotation] is shorter");
-    v("finest_sigma", finest_sigma, Range{0.01, 1000.0}, "m",
-      "once ICP has ended it goes on with half its tolerance sigma, down to this; where sigma is not "
-      "larger, once is all");
+      "length of the step [translation; rotation] below which ICP has converged. Raise it if "
+      "registration takes too long; lower it if poses depend on the first guess");
+    v("final_sigma", final_sigma, Range{0.01, 1000.0}, "m",
+      "scale of the annealed robust kernel at the end of ICP: from the adaptive threshold, sigma "
+      "is "
+      "halved down to this value. Raise it if the estimate slips where little but far rings is in "
+      "view (fields: 0.5); lower it if parts of a scan that are new to the map pull the pose");
     v("min_correspondences", min_correspondences, Range{6, 100000}, "",
-      "with fewer matched points the pose is the prediction");
+      "number of matched points below which the pose is the prediction. Raise it if few matches "
+      "give wrong poses; lower it if the sensor sees few points");
     v("planes", planes,
-      "point to plane where the map points around lie in one; false: point to point everywhere");
+      "point-to-plane residuals where the map points around are planar; false: point to point "
+      "everywhere, as in KISS-ICP");
     v("within_plane_weight", within_plane_weight, Range{0.0, 1.0}, "",
-      "of the distance to a point within its plane, beside that to the plane");
+      "weight of the point-to-point residual that is added to each point-to-plane residual. Raise "
+      "it if the pose drifts along corridors; lower it if it lags behind along the ground");
     v("scattered_points", scattered_points, Range{1.0, 1e6}, "",
-      "map points in the 27 voxels around, in all directions, with which a match weighs 1; with "
-      "fewer it weighs less in proportion");
+      "number of map points in the 27 voxels around from which on a match in a scattered "
+      "neighbourhood has the weight 1; with fewer, proportionally less. Raise it if vegetation "
+      "disturbs the pose; lower it if little else is in view");
     v("sparse_weight", sparse_weight, Range{0.0, 1.0}, "",
-      "of points with few others around, or along one line, such as a ring of the sensor");
-    v("own_motion", own_motion, Range{0.0, 0.74}, "",
-      "share of what the predicted motion missed with which a scan is deskewed while it is "
-      "registered, in directions well held; 0: deskewed with the prediction alone");
-    v("held_weight", held_weight, Range{0.0, 1e9}, "",
-      "of matches that hold a direction so that half of that share remains");
+      "weight of matches with few or only linear map points around, such as a single ring. Raise "
+      "it "
+      "if the pose slips where the map is sparse; lower it if the estimate lags behind the motion");
+    v("deskew_gain", deskew_gain, Range{0.0, 0.74}, "",
+      "share of the error of the predicted motion that deskewing makes up for while a scan is "
+      "registered; 0: deskewing with the prediction alone. Raise it if the pose swings with the "
+      "steps of a person; lower it if the pose oscillates from scan to scan");
+    v("deskew_damping", deskew_damping, Range{0.0, 1e9}, "",
+      "sum of match weights in a direction at which half of deskew_gain is in force there. Raise "
+      "it "
+      "if the pose drifts where little constrains it (bridges); lower it if it slips in fields");
     v("prediction_weight", prediction_weight, Range{0.0, 1e9}, "",
-      "of the predicted motion beside those of the matches, in scans that are deskewed");
+      "weight of the predicted motion beside those of the matches, in scans that are deskewed. "
+      "Raise "
+      "it if the pose drifts where little constrains it; lower it if it lags behind turns and "
+      "brakes");
   }
 };
 
@@ -56,8 +73,14 @@ struct AdaptiveThresholdConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("initial", initial, Range{1e-3, 100.0}, "m", "sigma before any motion was seen");
-    v("min_motion", min_motion, Range{0.0, 10.0}, "m", "smaller prediction errors do not count");
+    v("initial", initial, Range{1e-3, 100.0}, "m",
+      "sigma, the expected error of the predicted motion, before any motion was seen. Raise it if "
+      "drives start in motion; lower it if the first scans match wrong surfaces");
+    v("min_motion", min_motion, Range{0.0, 10.0}, "m",
+      "error of the predicted motion below which it does not enter sigma. Raise it if sigma "
+      "becomes "
+      "too small at standstill; lower it if sigma stays large in "
+      "slow motion");
   }
 };
 
@@ -75,16 +98,23 @@ struct OdometryConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("max_range", max_range, Range{1.0, 1000.0}, "m", "points farther from the sensor are dropped");
-    v("min_range", min_range, Range{0.0, 100.0}, "m", "points nearer to the sensor are dropped");
-    v("deskew", deskew, "undo the motion within a scan where its point times are known");
+    v("max_range", max_range, Range{1.0, 1000.0}, "m",
+      "distance from the sensor beyond which points are dropped. Raise it if little is near; lower "
+      "it if far points are inaccurate or the map takes too much time");
+    v("min_range", min_range, Range{0.0, 100.0}, "m",
+      "distance from the sensor within which points are dropped. Raise it if the sensor sees its "
+      "bearer; lower it in narrow surroundings");
+    v("deskew", deskew, "correction of the motion within a scan where its point times are known");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
-      "the motion is extrapolated over longer gaps only this far, and the tolerance starts anew");
+      "longest time over which the motion is extrapolated; after a longer gap between scans the "
+      "adaptive threshold starts anew. Raise it if scans are lost in steady motion; lower it if the "
+      "motion changes quickly");
     v("restart_after", restart_after, Range{2, 1000}, "scans",
-      "scans in a row, in order, that are older than the newest, after which a new session begins with "
-      "them: the clock was set back or the recording starts over. Raise it if late scans come in long "
-      "bursts; lower it if a new session should begin sooner");
-    v("threads", threads, Range{1, 64}, "", "threads of the odometry; results do not depend on it");
+      "scans in a row, in order, that are older than the newest, after which a new session begins "
+      "with them: the clock was set back or the recording starts over. Raise it if late scans come "
+      "in long bursts; lower it if a new session should begin sooner");
+    v("threads", threads, Range{1, 64}, "",
+      "number of threads of the odometry; results do not depend on it");
     v.group("map", map);
     v.group("registration", registration);
     v.group("threshold", threshold);

@@ -12,9 +12,9 @@ namespace revisit_slam {
 /// A scan's points in the base frame at the scan's stamp.
 struct PreprocessedScan {
   Points points_base;
-  /// How long before the stamp each point was seen, as part of the time since the previous scan and
-  /// at most 1; empty where nothing was deskewed or there is no such time.
-  std::vector<float> lags;
+  /// Of each point: the time from when it was seen to the stamp, as a fraction of the time since
+  /// the previous scan, at most 1. Empty where nothing was deskewed or there is no such time.
+  std::vector<float> sweep_fractions;
   std::size_t too_near = 0;
   std::size_t too_far = 0;
   bool deskewed = false;
@@ -26,8 +26,9 @@ struct PreprocessedScan {
 PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
                             const OdometryConfig& config, double seconds_since_previous = 0.0);
 
-/// Deskews points anew where the motion that they were deskewed with missed `bend` ([m; rad], small,
-/// in the base frame at the stamp) of the motion since the previous scan.
-void straighten(Points& points_base, const std::vector<float>& lags, const Tangent& bend);
+/// Deskews points anew where the motion that they were deskewed with missed `correction` ([m; rad],
+/// small, in the base frame at the stamp) of the motion since the previous scan.
+void applyDeskewCorrection(Points& points_base, const std::vector<float>& sweep_fractions,
+                           const Tangent& correction);
 
 }  // namespace revisit_slam

@@ -10,18 +10,18 @@ namespace revisit_slam {
 
 enum class RegistrationOutcome {
   converged,
-  max_iterations,             ///< the pose is the last iterate
-  too_few_correspondences,    ///< the pose is the initial one
-  map_empty,                  ///< the first scan: the pose is the initial one
+  max_iterations,           ///< the pose is the last iterate
+  too_few_correspondences,  ///< the pose is the initial one
+  map_empty,                ///< the first scan: the pose is the initial one
 };
 
 const char* toString(RegistrationOutcome outcome);
 
 struct RegistrationResult {
   Pose T_odom_base;
-  /// What the motion since the previous scan, by which the points were deskewed, is held to have
-  /// missed, [m; rad]; zero without lags. See `straighten`.
-  Tangent bend = Tangent::Zero();
+  /// What the motion since the previous scan, with which the points were deskewed, is estimated to
+  /// have missed, [m; rad]; zero without sweep fractions. See `applyDeskewCorrection`.
+  Tangent deskew_correction = Tangent::Zero();
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;

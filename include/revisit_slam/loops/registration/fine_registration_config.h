@@ -22,24 +22,42 @@ struct FineRegistrationConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("coarsest_distance", coarsest_distance, Range{0.1, 100.0}, "m",
-      "correspondences reach this far at first; the error of the first guess");
+      "reach of the correspondences at the coarsest level. Raise it if first guesses are farther "
+      "off; "
+      "lower it if registrations converge to neighbouring structures");
     v("finest_distance", finest_distance, Range{0.05, 10.0}, "m",
-      "correspondences reach this far at last");
+      "reach of the correspondences at the finest level. Raise it if submaps are bent by drift; "
+      "lower "
+      "it if what changed between the visits pulls the pose");
     v("points_per_level", points_per_level, Range{100, 1000000}, "",
-      "of more source points a level takes some, evenly over space and directions of normals");
-    v("max_iterations", max_iterations, Range{1, 1000}, "", "at each level");
+      "largest number of source points of a level, taken evenly over space and directions of "
+      "normals. "
+      "Raise it if registrations are imprecise; lower it if they take too long");
+    v("max_iterations", max_iterations, Range{1, 1000}, "",
+      "largest number of iterations of a level. Raise it if the finest level does not converge; "
+      "lower "
+      "it to bound the time of a registration");
     v("convergence", convergence, Range{1e-9, 1e-1}, "m, rad",
-      "the finest level ends when its step [translation; rotation] is shorter");
+      "length of the step [translation; rotation] below which the finest level has converged. "
+      "Raise "
+      "it if registrations take too long; lower it if their poses depend on the first guess");
     v("min_correspondences", min_correspondences, Range{6, 1000000}, "",
-      "with fewer matched points there is no result");
+      "number of matched points below which there is no result. Raise it if submaps with little in "
+      "common are registered; lower it if submaps have few points");
     v("fitness_distance", fitness_distance, Range{0.05, 10.0}, "m",
-      "the edge of a submap's voxels: one has a counterpart where another is nearer than this…");
+      "distance within which a voxel of a submap has a counterpart in the other; the edge of a "
+      "voxel. Raise it if submaps are coarser; lower it if they are finer");
     v("fitness_plane_distance", fitness_plane_distance, Range{0.01, 10.0}, "m",
-      "… and nearer than this to its plane, where there is one");
+      "distance from the plane of the counterpart, where there is one, within which it counts. "
+      "Raise "
+      "it if the sensor is noisy; lower it if wrong loops have a high fitness");
     v("information_voxel_size", information_voxel_size, Range{0.1, 10.0}, "m",
-      "source points are thinned to this for the information, as scans are for the odometry");
+      "edge of the voxels to which source points are thinned for the information, as scans are for "
+      "the odometry. Raise it if loops weigh too much; lower it if they weigh too little");
     v("information_distance", information_distance, Range{0.05, 10.0}, "m",
-      "tau of the sampled objective");
+      "tau, the truncation distance of the objective that is sampled for the information. Raise it "
+      "if "
+      "submaps are bent by drift; lower it if what changed between the visits counts too much");
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/icp/surroundings.h"
+#include "revisit_slam/icp/local_shape.h"
 
 #include <cmath>
 
@@ -16,17 +16,17 @@ constexpr float kUpright = 0.8f;
 
 }  // namespace
 
-Surroundings surroundingsOf(const PointMoments& around, float edge) {
+LocalShape localShapeOf(const PointMoments& around, float edge) {
   const float points = around.count;
-  if (points < kFewestPoints) return {Spread::sparse, Eigen::Vector3f::Zero(), points};
+  if (points < kFewestPoints) return {ShapeKind::sparse, Eigen::Vector3f::Zero(), points};
   const PrincipalAxes principal = around.principalAxes();
   const float least = principal.variances[0], middle = principal.variances[1];
   const bool line = middle < kNarrowest * edge * edge;
   const bool upright = std::abs(principal.axes(2, 2)) > kUpright;
-  if (line && !upright) return {Spread::sparse, Eigen::Vector3f::Zero(), points};
+  if (line && !upright) return {ShapeKind::sparse, Eigen::Vector3f::Zero(), points};
   if (line || least > kThickest * middle)
-    return {Spread::scattered, Eigen::Vector3f::Zero(), points};
-  return {Spread::planar, principal.axes.col(0), points};
+    return {ShapeKind::scattered, Eigen::Vector3f::Zero(), points};
+  return {ShapeKind::planar, principal.axes.col(0), points};
 }
 
 }  // namespace revisit_slam

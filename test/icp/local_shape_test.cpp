@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/icp/surroundings.h"
+#include "revisit_slam/icp/local_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr float kEdge = 1.0f;
 
-Surroundings of(const Points& points) {
+LocalShape of(const Points& points) {
   PointMoments moments;
   for (const Eigen::Vector3f& point : points) moments.add(point);
-  return surroundingsOf(moments, kEdge);
+  return localShapeOf(moments, kEdge);
 }
 
 /// On the ground, tilted, from `first` to `last` in direction, at a distance with play.
@@ -29,7 +29,7 @@ Points arc(double radius, double first, double last, int count, RandomNumbers& r
   return points;
 }
 
-TEST(Surroundings, APlaneHasANormal) {
+TEST(LocalShape, APlaneHasANormal) {
   RandomNumbers random(1);
   const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
   Points points;
@@ -37,39 +37,39 @@ TEST(Surroundings, APlaneHasANormal) {
     points.push_back((tilt * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1),
                                              random.gaussian(0.02)))
                          .cast<float>());
-  const Surroundings surroundings = of(points);
-  EXPECT_EQ(surroundings.spread, Spread::planar);
+  const LocalShape shape = of(points);
+  EXPECT_EQ(shape.kind, ShapeKind::planar);
   const Eigen::Vector3d normal = tilt * Eigen::Vector3d::UnitZ();
-  EXPECT_GT(std::abs(surroundings.normal.cast<double>().dot(normal)), 0.999);
+  EXPECT_GT(std::abs(shape.normal.cast<double>().dot(normal)), 0.999);
 }
 
-TEST(Surroundings, ASingleRingIsSparseAndTwoMakeAPlane) {
+TEST(LocalShape, ASingleRingIsSparseAndTwoMakeAPlane) {
   RandomNumbers random(2);
   Points points = arc(10.0, 0.0, 0.25, 40, random);
-  EXPECT_EQ(of(points).spread, Spread::sparse);
+  EXPECT_EQ(of(points).kind, ShapeKind::sparse);
   for (const auto& point : arc(11.0, 0.0, 0.25, 40, random)) points.push_back(point);
-  EXPECT_EQ(of(points).spread, Spread::planar);
+  EXPECT_EQ(of(points).kind, ShapeKind::planar);
   EXPECT_GT(std::abs(of(points).normal.z()), 0.99f);
 }
 
-TEST(Surroundings, APoleIsNoRing) {
+TEST(LocalShape, APoleIsNoRing) {
   Points upright, level;
   for (int i = 0; i < 20; ++i) {
     upright.push_back({0.1f, 0.2f, 0.1f * static_cast<float>(i)});
     level.push_back({0.1f * static_cast<float>(i), 0.2f, 0.3f});
   }
-  EXPECT_EQ(of(upright).spread, Spread::scattered);
-  EXPECT_EQ(of(level).spread, Spread::sparse);
+  EXPECT_EQ(of(upright).kind, ShapeKind::scattered);
+  EXPECT_EQ(of(level).kind, ShapeKind::sparse);
 }
 
-TEST(Surroundings, FewPointsAreSparseAndABushIsScattered) {
+TEST(LocalShape, FewPointsAreSparseAndABushIsScattered) {
   RandomNumbers random(3);
   Points points;
   for (int i = 0; i < 5; ++i) points.push_back(random.direction().cast<float>());
-  EXPECT_EQ(of(points).spread, Spread::sparse);
-  EXPECT_EQ(of({}).spread, Spread::sparse);
+  EXPECT_EQ(of(points).kind, ShapeKind::sparse);
+  EXPECT_EQ(of({}).kind, ShapeKind::sparse);
   for (int i = 0; i < 60; ++i) points.push_back(random.direction().cast<float>());
-  EXPECT_EQ(of(points).spread, Spread::scattered);
+  EXPECT_EQ(of(points).kind, ShapeKind::scattered);
   EXPECT_TRUE(of(points).normal.isZero());
   EXPECT_EQ(of(points).points, 65.0f);
 }

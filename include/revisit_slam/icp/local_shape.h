@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "revisit_slam/geometry/point_moments.h"
+
+namespace revisit_slam {
+
+/// How the map points around a place are distributed: what a distance to the nearest of them means.
+enum class ShapeKind : std::uint8_t {
+  /// Too few, or linear and not upright: perhaps a single ring of the sensor on a surface that is
+  /// not
+  /// known between its rings. Rings move along with the sensor; the distance to one says little.
+  sparse,
+  planar,     ///< the distance to the plane counts, the one within it depends on where rays fell
+  scattered,  ///< in several directions, or on a pole: edges, trunks, foliage
+};
+
+/// The shape of the map around a point.
+struct LocalShape {
+  ShapeKind kind = ShapeKind::sparse;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< of the plane, else zero
+  float points = 0.0f;                               ///< number of map points looked at
+};
+
+/// `around`: of the points in a voxel and the 26 around it, `edge` its length in metres; z is up.
+LocalShape localShapeOf(const PointMoments& around, float edge);
+
+}  // namespace revisit_slam
