@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "revisit_slam/odometry/deskew_correction.h"
+
 namespace revisit_slam {
 namespace {
 

@@ -76,17 +76,4 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   return result;
 }
 
-/// To first order in the fraction: the correction is small.
-void applyDeskewCorrection(Points& points_base, const std::vector<float>& sweep_fractions,
-                           const Tangent& correction) {
-  const Pose T_end_begin = exp(-correction);
-  const Eigen::Matrix3f turned =
-      (T_end_begin.rotationMatrix() - Eigen::Matrix3d::Identity()).cast<float>();
-  const Eigen::Vector3f moved = T_end_begin.translation.cast<float>();
-  Chunks(points_base.size(), 8192).forEach([&](std::size_t, Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      points_base[i] += sweep_fractions[i] * (turned * points_base[i] + moved);
-  });
-}
-
 }  // namespace revisit_slam

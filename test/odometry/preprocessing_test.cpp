@@ -78,7 +78,7 @@ TEST(Preprocess, DeskewingUndoesAConstantMotion) {
   }
 }
 
-TEST(Preprocess, LagsAreThoseOfThePointsThatWereKept) {
+TEST(Preprocess, SweepFractionsAreThoseOfThePointsThatWereKept) {
   RandomNumbers random(6);
   const Scan scan =
       seenWhileMoving(random.cloud(30000, 60.0), Tangent::Zero(), Pose::identity(), random);
@@ -93,25 +93,6 @@ TEST(Preprocess, LagsAreThoseOfThePointsThatWereKept) {
   }
   EXPECT_EQ(kept, result.sweep_fractions.size());
   EXPECT_TRUE(preprocess(scan, ConstantMotion(), ranges(20.0, 60.0)).sweep_fractions.empty());
-}
-
-TEST(Preprocess, StraighteningUndoesWhatTheDeskewingMissed) {
-  RandomNumbers random(7);
-  const Points truth = random.cloud(20000, 40.0);
-  const Scan scan = seenWhileMoving(truth, driving(), random.pose(2.0), random);
-  Tangent guess = driving();
-  guess += Tangent::Constant(0.1);
-  PreprocessedScan result = preprocess(scan, ConstantMotion(guess), ranges(0.0, 200.0), 0.1);
-  const auto largestError = [&] {
-    float largest = 0.0f;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      largest = std::max(largest, (result.points_base[i] - truth[i]).norm());
-    return largest;
-  };
-  EXPECT_GT(largestError(), 0.4f);
-  applyDeskewCorrection(result.points_base, result.sweep_fractions,
-                        log(exp(0.1 * guess).inverse() * exp(0.1 * driving())));
-  EXPECT_LT(largestError(), 0.03f);
 }
 
 TEST(Preprocess, WithoutTimesOrWhenToldSoPointsAreOnlyMovedToTheBase) {

@@ -26,9 +26,4 @@ struct PreprocessedScan {
 PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
                             const OdometryConfig& config, double seconds_since_previous = 0.0);
 
-/// Deskews points anew where the motion that they were deskewed with missed `correction` ([m; rad],
-/// small, in the base frame at the stamp) of the motion since the previous scan.
-void applyDeskewCorrection(Points& points_base, const std::vector<float>& sweep_fractions,
-                           const Tangent& correction);
-
 }  // namespace revisit_slam

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scans that were deskewed with a motion that turned out to be another.
+#include "revisit_slam/odometry/deskew_correction.h"
+
 #include <gtest/gtest.h>
 
 #include "revisit_slam/odometry/registration.h"
@@ -41,6 +43,33 @@ Tangent jolt() {
   Tangent missed;
   missed << 0.1, -0.06, 0.05, 0.01, 0.03, -0.02;
   return missed;
+}
+
+TEST(DeskewCorrection, AppliedItUndoesWhatTheDeskewingMissed) {
+  const Pose T_odom_base = exp(RandomNumbers(7).tangent(2.0, 0.5));
+  const Points points_odom = RandomNumbers(7).cloud(20000, 40.0);
+  WronglyDeskewedScan scan = wronglyDeskewedScan(points_odom, T_odom_base, jolt());
+  const auto largestError = [&] {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < points_odom.size(); ++i) {
+      const Eigen::Vector3d p_odom = T_odom_base * scan.points_base[i].cast<double>();
+      largest = std::max(largest, (p_odom - points_odom[i].cast<double>()).norm());
+    }
+    return largest;
+  };
+  EXPECT_GT(largestError(), 1.0);
+  applyDeskewCorrection(scan.points_base, scan.sweep_fractions, jolt());
+  EXPECT_LT(largestError(), 0.02);
+}
+
+/// A point of the sweep's begin or end is exactly where the base then was.
+TEST(DeskewCorrection, SweepPoseGoesFromBeginToEnd) {
+  RandomNumbers random(6);
+  const Pose T_odom_base = random.pose(3.0);
+  const SweepPose pose(T_odom_base, jolt());
+  const Eigen::Vector3d p = random.inCube(30.0);
+  EXPECT_LT((pose.toOdom(p, 0.0) - T_odom_base * p).norm(), 1e-12);
+  EXPECT_LT((pose.toOdom(p, 1.0) - T_odom_base * exp(-jolt()) * p).norm(), 1e-12);
 }
 
 TEST(RegistrationWithDeskewCorrection, KeepsHalfOfTheErrorThatThePredictionLeaves) {

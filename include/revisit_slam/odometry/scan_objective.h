@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "revisit_slam/icp/local_voxel_map.h"
+#include "revisit_slam/icp/normal_equations.h"
+#include "revisit_slam/icp/robust_kernel.h"
+#include "revisit_slam/odometry/odometry_config.h"
+
+namespace revisit_slam {
+
+/// What the registration of a scan minimises (paper Eq. 1; KISS-ICP Sec. III-C), of residuals
+/// r_i = R^T (T p_i - q_i) to map points nearer than 3 sigma, with T = T_odom_base:
+///
+///   sum_i a_i w(|r_i|^2) |r_i|^2,
+///
+/// and where the map around q_i is planar with the normal n_i, instead
+///
+///   sum_i w(e_i^2) (e_i^2 + b |r_i|^2),  e_i = n_i^T r_i,
+///
+/// where w is the weight of Geman and McClure with k^2 = sigma, recomputed in each iteration. a_i
+/// is small where the map points around are few or linear: the rings that a sensor draws on the
+/// ground and on walls move along with it; taken as points they hold the estimate back and turn it
+/// (docs/odometry.md). With `planes` off a_i is 1 and all residuals are point to point.
+///
+/// To change the objective of the odometry, change this file; for a new kernel icp/robust_kernel.h
+/// as well, for a new residual icp/residuals.h and icp/normal_equations.h, for a new parameter
+/// odometry_config.h. Registration stays as it is. The objective of submaps,
+/// loops/registration/fine_registration_objective.h, is made of the same parts.
+class ScanObjective {
+ public:
+  /// `sigma`: m, the scale of the annealed kernel.
+  ScanObjective(const RegistrationConfig& config, double sigma)
+      : config_(config), sigma_(sigma), kernel_(GemanMcClure::ofSquaredScale(sigma)) {}
+
+  /// m: points without a map point nearer than this are not matched.
+  static double maxDistance(double sigma) { return 3.0 * sigma; }
+  double maxDistance() const { return maxDistance(sigma_); }
+
+  /// Adds the match of a point with a neighbour. `R`: R_odom_base.
+  void add(const PointToPoint& match, const LocalShape& shape, const Eigen::Matrix3d& R,
+           NormalEquations& equations) const {
+    if (config_.planes && shape.kind == ShapeKind::planar) {
+      const Eigen::Vector3d n = R.transpose() * shape.normal.cast<double>();
+      const PointToPlane plane{match.p, n, n.dot(match.r)};
+      const double weight = kernel_.weight(plane.squared());
+      equations.countMatch(plane.squared());
+      equations.add(plane, weight);
+      equations.add(match, config_.within_plane_weight * weight);
+    } else {
+      equations.countMatch(match.squared());
+      equations.add(match, shapeWeight(shape) * kernel_.weight(match.squared()));
+    }
+  }
+
+ private:
+  /// a_i. The denser the map, the less the nearest point depends on where rays fell.
+  double shapeWeight(const LocalShape& shape) const {
+    if (!config_.planes) return 1.0;
+    if (shape.kind == ShapeKind::sparse) return config_.sparse_weight;
+    return std::min(1.0, static_cast<double>(shape.points) / config_.scattered_points);
+  }
+
+  const RegistrationConfig& config_;
+  double sigma_;
+  GemanMcClure kernel_;
+};
+
+}  // namespace revisit_slam
