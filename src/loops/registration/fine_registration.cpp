@@ -6,65 +6,30 @@
 #include <cmath>
 
 #include "revisit_slam/util/chunks.h"
-#include "revisit_slam/loops/registration/fine_registration_equations.h"
+#include "revisit_slam/loops/registration/fine_registration_objective.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kChunkLength = 256;
-/// Parts of a level's reach: the spacing of its points, and the scale of its weights.
+/// Spacing of the points of a level, as part of its reach.
 constexpr double kSpacing = 1.0 / 3.0;
-constexpr double kScale = 1.0 / 5.0;
-/// A point without a plane says less about where it is than its distance does: its mean depends on
-/// where the rays fell.
-constexpr double kPointWeight = 0.1;
 /// With fewer voxels of one direction nothing is said about it.
 constexpr std::size_t kFewestForCoherence = 50;
 /// A coarse level ends when its step is below this part of its reach: the next one goes on.
 constexpr double kCoarseConvergence = 4e-4;
 
-/// A transform in the precision of the points.
-struct FloatPose {
-  explicit FloatPose(const Pose& T)
-      : R(T.rotationMatrix().cast<float>()), t(T.translation.cast<float>()) {}
-
-  Surfel operator*(const Surfel& a) const { return {R * a.point + t, R * a.normal}; }
-
-  Eigen::Matrix3f R;
-  Eigen::Vector3f t;
-};
-
-/// Adds one correspondence; the plane is that of the target, else of the source, else there is none
-/// and the residual is the distance along all three axes.
-void addCorrespondence(const Surfel& source, const Surfel& target, const FloatPose& T, double scale,
-                       PlaneEquations& equations) {
-  const Eigen::Vector3d p = source.point.cast<double>();
-  const Eigen::Vector3d r =
-      (T.R.transpose() * (T.R * source.point + T.t - target.point)).cast<double>();
-  ++equations.count;
-  if (target.hasNormal() || source.hasNormal()) {
-    const Eigen::Vector3d m =
-        target.hasNormal() ? Eigen::Vector3d((T.R.transpose() * target.normal).cast<double>())
-                           : Eigen::Vector3d(source.normal.cast<double>());
-    const double e = m.dot(r);
-    equations.squares += e * e;
-    equations.add(p, m, e, robustWeight(e * e, scale));
-  } else {
-    equations.squares += r.squaredNorm();
-    const double weight = kPointWeight * robustWeight(r.squaredNorm(), scale);
-    for (int axis = 0; axis < 3; ++axis)
-      equations.add(p, Eigen::Vector3d::Unit(axis), r[axis], weight);
-  }
-}
-
-/// `matches`: of the iteration before, and of this one afterwards.
-PlaneEquations sumUp(const Surfels& samples, Chunk chunk, const SurfelGrid& grid,
-                     const FloatPose& T, double distance, std::vector<const Surfel*>& matches) {
-  PlaneEquations equations;
+/// Matches the samples of a chunk and adds up their normal equations. `matches`: of the iteration
+/// before, and of this one afterwards.
+NormalEquations linearise(const Surfels& samples, Chunk chunk, const SurfelGrid& grid,
+                          const SurfelPose& T, double distance,
+                          const FineRegistrationObjective& objective,
+                          std::vector<const Surfel*>& matches) {
+  NormalEquations equations;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Surfel moved = T * samples[i];
     matches[i] = grid.nearest(moved.point, moved.normal, static_cast<float>(distance), matches[i]);
-    if (matches[i]) addCorrespondence(samples[i], *matches[i], T, kScale * distance, equations);
+    if (matches[i]) objective.add(samples[i], *matches[i], T, equations);
   }
   return equations;
 }
@@ -123,21 +88,23 @@ void FineRegistration::alignLevel(const RegistrationCloud::Level& source,
                                   const RegistrationCloud::Level& target, double convergence,
                                   FineRegistrationResult& result) const {
   const Chunks chunks(source.samples.size(), kChunkLength);
-  std::vector<PlaneEquations> parts(chunks.size());
+  const FineRegistrationObjective objective(source.distance);
+  std::vector<NormalEquations> parts(chunks.size());
   std::vector<const Surfel*> matches(source.samples.size(), nullptr);
   for (int iteration = 0; iteration < config_.max_iterations; ++iteration) {
-    const FloatPose T(result.T_target_source);
+    const SurfelPose T(result.T_target_source);
     chunks.forEach([&](std::size_t index, Chunk chunk) {
-      parts[index] = sumUp(source.samples, chunk, target.grid, T, source.distance, matches);
+      parts[index] =
+          linearise(source.samples, chunk, target.grid, T, source.distance, objective, matches);
     });
-    PlaneEquations equations;
-    for (const PlaneEquations& part : parts) equations += part;
-    result.inliers = equations.count;
+    NormalEquations equations;
+    for (const NormalEquations& part : parts) equations += part;
+    result.inliers = equations.matches();
     result.outcome = FineRegistrationOutcome::too_few_correspondences;
-    if (equations.count < static_cast<std::size_t>(config_.min_correspondences)) return;
-    result.rms = std::sqrt(equations.squares / static_cast<double>(equations.count));
+    if (equations.matches() < static_cast<std::size_t>(config_.min_correspondences)) return;
+    result.rms = equations.rms();
     result.outcome = FineRegistrationOutcome::max_iterations;
-    const Tangent step = equations.step();
+    const Tangent step = dampedStep(equations);
     result.T_target_source = boxplus(result.T_target_source, step);
     ++result.iterations;
     if (step.norm() < convergence) {
@@ -149,7 +116,7 @@ void FineRegistration::alignLevel(const RegistrationCloud::Level& source,
 
 double FineRegistration::fitness(const RegistrationCloud& a, const RegistrationCloud& b,
                                  const Pose& T_b_a) const {
-  const FloatPose T(T_b_a);
+  const SurfelPose T(T_b_a);
   const float reach = static_cast<float>(config_.fitness_distance);
   const float plane_reach = static_cast<float>(config_.fitness_plane_distance);
   const Chunks chunks(a.surfels_.size(), 4 * kChunkLength);
@@ -169,7 +136,7 @@ double FineRegistration::fitness(const RegistrationCloud& a, const RegistrationC
 
 double FineRegistration::coherence(const RegistrationCloud& a, const RegistrationCloud& b,
                                    const Pose& T_b_a) const {
-  const FloatPose T(T_b_a);
+  const SurfelPose T(T_b_a);
   const std::size_t last = b.levels_.size() - 1, coarser = last == 0 ? 0 : last - 1;
   const RegistrationCloud::Level& level = b.levels_[coarser];
   std::array<std::size_t, kDirections> near{}, fitting{};

@@ -23,6 +23,17 @@ struct Surfel {
 
 using Surfels = std::vector<Surfel>;
 
+/// A transform in the precision of surfels.
+struct SurfelPose {
+  explicit SurfelPose(const Pose& T)
+      : R(T.rotationMatrix().cast<float>()), t(T.translation.cast<float>()) {}
+
+  Surfel operator*(const Surfel& a) const { return {R * a.point + t, R * a.normal}; }
+
+  Eigen::Matrix3f R;
+  Eigen::Vector3f t;
+};
+
 /// Whether two normals may belong to one surface: within 45 degrees, whatever their signs. A point
 /// without normal fits any.
 inline bool compatible(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
