@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "revisit_slam/icp/robust_kernel.h"
 #include "revisit_slam/util/chunks.h"
 
 // One build runs on every processor and uses wide registers where they exist. Neither variant fuses
@@ -21,12 +22,12 @@ constexpr std::size_t kLargestBatch = 64;  // samples handled at a time, on the 
 
 }  // namespace
 
-/// Adds min(|u_m - c|^2, tau^2) of the nearest candidate c to the sum of each sample of a batch.
+/// Adds rho(|u_m - c|^2) of the nearest candidate c to the sum of each sample of a batch.
 /// The loops over samples are what the compiler vectorises.
 REVISIT_SLAM_VECTOR_CLONES
 void addPoint(const float* displacement, std::size_t stride, std::size_t batch, const float* p,
-              const Eigen::Vector3f* candidates, std::size_t count, float tau_squared,
-              double* sums) {
+              const Eigen::Vector3f* candidates, std::size_t count,
+              const TruncatedQuadratic& kernel, double* sums) {
   alignas(32) float ux[kLargestBatch], uy[kLargestBatch], uz[kLargestBatch], best[kLargestBatch];
   const float* D = displacement;
   for (std::size_t m = 0; m < batch; ++m) {
@@ -35,7 +36,7 @@ void addPoint(const float* displacement, std::size_t stride, std::size_t batch, 
             D[m + 10 * stride];
     uz[m] = D[m + 6 * stride] * p[0] + D[m + 7 * stride] * p[1] + D[m + 8 * stride] * p[2] +
             D[m + 11 * stride];
-    best[m] = tau_squared;
+    best[m] = std::numeric_limits<float>::max();
   }
   for (std::size_t c = 0; c < count; ++c) {
     const float x = candidates[c].x(), y = candidates[c].y(), z = candidates[c].z();
@@ -45,7 +46,7 @@ void addPoint(const float* displacement, std::size_t stride, std::size_t batch, 
       best[m] = squared < best[m] ? squared : best[m];
     }
   }
-  for (std::size_t m = 0; m < batch; ++m) sums[m] += best[m];
+  for (std::size_t m = 0; m < batch; ++m) sums[m] += kernel.rho(best[m]);
 }
 
 ObjectiveSampling::ObjectiveSampling(const PerturbationDesign& design, std::size_t index)
@@ -82,7 +83,7 @@ Eigen::VectorXd ObjectiveSampling::evaluate(const RegistrationProblem& problem) 
 void ObjectiveSampling::evaluateChunk(const RegistrationProblem& problem, std::size_t chunk,
                                       double* sums) const {
   const Candidates& candidates = problem.chunks[chunk][index_];
-  const float tau_squared = static_cast<float>(problem.tau * problem.tau);
+  const TruncatedQuadratic kernel(problem.tau);
   const Eigen::Vector3f* points =
       &problem.points_base[chunk * RegistrationProblem::kChunkLength];
   for (std::size_t i = 0; i + 1 < candidates.begin.size(); ++i) {
@@ -90,7 +91,7 @@ void ObjectiveSampling::evaluateChunk(const RegistrationProblem& problem, std::s
     const std::size_t count = candidates.begin[i + 1] - candidates.begin[i];
     for (std::size_t m = 0; m < padded_; m += kLargestBatch)
       addPoint(&displacement_[m], padded_, std::min(kLargestBatch, padded_ - m), points[i].data(),
-               first, count, tau_squared, sums + m);
+               first, count, kernel, sums + m);
   }
 }
 

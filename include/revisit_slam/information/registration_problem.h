@@ -18,8 +18,8 @@ struct Candidates {
 };
 
 /// All that the objective chi(T * Exp(d)) = sum_i min(|T Exp(d) p_i - q_nn(i)|^2, tau^2) (paper
-/// Eq. 1, truncated) depends on for the perturbations d of the designs: a registration taken out of
-/// its map. The map may change afterwards.
+/// Eq. 1 with the kernel TruncatedQuadratic) depends on for the perturbations d of the designs: a
+/// registration taken out of its map. The map may change afterwards.
 struct RegistrationProblem {
   Points points_base;
   double tau = 0.0;    ///< m, truncation distance
