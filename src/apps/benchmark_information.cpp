@@ -8,11 +8,11 @@
 #include <iostream>
 
 #include "revisit_slam/information/information_estimator.h"
-#include "revisit_slam/util/process_usage.h"
-#include "revisit_slam/slam/slam_config.h"
-#include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 namespace {
@@ -66,13 +66,15 @@ void run(const std::string& path, const std::string& topic, const SlamConfig& co
   const auto measure = [&](const RegisteredScan& scan, const LocalVoxelMap& map) {
     CpuClock clock;
     const double tau = Registration::maxCorrespondenceDistance(scan.sigma);
-    const RegistrationProblem problem = estimator.gather(scan.source_base, map, scan.T_odom_base, tau);
+    const RegistrationProblem problem =
+        estimator.gather(scan.source_base, map, scan.T_odom_base, tau);
     checksum += estimator.estimate(problem).mean_squared_residual;
     fast_ms.push_back(clock.lap());
     if (scan.id.value % 10 == 0) {
       all_points.estimate(all_points.gather(scan.source_base, map, scan.T_odom_base, tau));
       all_points_ms.push_back(clock.lap());
-      checksum += bruteForce(scan.source_base, map, scan.T_odom_base, problem.tau, config.information);
+      checksum +=
+          bruteForce(scan.source_base, map, scan.T_odom_base, problem.tau, config.information);
       brute_ms.push_back(clock.lap());
     }
   };

@@ -48,8 +48,8 @@ void run(const Options& options) {
   const PoseInterpolator truth(readTum(options.truth));
   const ClosedDrive closed = closeLoops(options.bag, options.topic, config, options.quiet);
   const Judgement judgement =
-      judge(closed, truth,
-            static_cast<std::size_t>(config.loops.recognition.newest_excluded), options.limits);
+      judge(closed, truth, static_cast<std::size_t>(config.loops.recognition.newest_excluded),
+            options.limits);
   std::cout << reportText(judgement, closed);
   if (options.out.empty()) return;
   writeMaps(options.out + "/maps", closed.maps);

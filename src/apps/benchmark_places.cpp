@@ -11,8 +11,8 @@
 #include <random>
 
 #include "revisit_slam/io/pcd.h"
-#include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/loops/recognition/place_recognition.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 namespace {
@@ -62,8 +62,9 @@ double median(std::vector<double> values) {
 void run(const Options& options) {
   const std::vector<Points> maps = readMaps(options.maps);
   std::printf("%zu different maps, %d threads\n\n", maps.size(), options.threads);
-  std::printf("| stored maps | wall, median [ms] | largest [ms] | CPU, mean [ms] | memory [MB] |\n"
-              "|---:|---:|---:|---:|---:|\n");
+  std::printf(
+      "| stored maps | wall, median [ms] | largest [ms] | CPU, mean [ms] | memory [MB] |\n"
+      "|---:|---:|---:|---:|---:|\n");
   PlaceRecognition recognition{PlaceRecognitionConfig{}};
   tbb::task_arena arena(options.threads);
   constexpr int kMeasured = 40;  // before each line
@@ -97,7 +98,8 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   CLI::App app{"Cost of place recognition against the number of stored local maps"};
   revisit_slam::Options options;
-  app.add_option("--maps", options.maps, "folder of local maps (*.pcd) as benchmark_loops leaves them")
+  app.add_option("--maps", options.maps,
+                 "folder of local maps (*.pcd) as benchmark_loops leaves them")
       ->required();
   app.add_option("--stored", options.stored, "local maps, made out of those by variation")
       ->check(CLI::Range(1, 1000000));

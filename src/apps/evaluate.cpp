@@ -15,11 +15,11 @@
 
 #include "revisit_slam/evaluation/estimate_judge.h"
 #include "revisit_slam/io/parameter_file.h"
-#include "revisit_slam/util/progress.h"
 #include "revisit_slam/io/whole_file.h"
-#include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/util/progress.h"
 
 namespace revisit_slam {
 namespace {

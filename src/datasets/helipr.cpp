@@ -41,12 +41,12 @@ std::string lowerCase(std::string text) {
 class Helipr : public DatasetScans {
  public:
   Helipr(const std::string& folder, const std::string& sensor)
-      : DatasetScans(lowerCase(sensor),
-                     scansByStamp(numberedFiles(
-                         requireBelow(folder, {"LiDAR/" + sensor, sensor}), ".bin"))),
+      : DatasetScans(
+            lowerCase(sensor),
+            scansByStamp(numberedFiles(requireBelow(folder, {"LiDAR/" + sensor, sensor}), ".bin"))),
         sensor_(sensor),
-        truth_(findBelow(folder, {"LiDAR_GT/" + sensor + "_gt.txt",
-                                  "LiDAR_GT/global_" + sensor + "_gt.txt"})) {}
+        truth_(findBelow(
+            folder, {"LiDAR_GT/" + sensor + "_gt.txt", "LiDAR_GT/global_" + sensor + "_gt.txt"})) {}
 
   std::optional<Trajectory> groundTruth() const override {
     if (!truth_) return std::nullopt;

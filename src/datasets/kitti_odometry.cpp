@@ -61,8 +61,8 @@ class KittiOdometry : public DatasetScans {
     Trajectory truth;
     forEachRow(*poses_, 12, [&](const TextRow& row) {
       if (truth.size() == times.size()) row.fail("more poses than stamps in times.txt");
-      truth.push_back({times[truth.size()],
-                       T_camera_velodyne.inverse() * row.matrix(0) * T_camera_velodyne});
+      truth.push_back(
+          {times[truth.size()], T_camera_velodyne.inverse() * row.matrix(0) * T_camera_velodyne});
     });
     return truth;
   }

@@ -17,8 +17,8 @@ std::int64_t secondsSince1970(const TextRow& row, const std::string& clock) {
   std::tm date{};
   char end = 0;
   const bool parsed =
-      std::sscanf(row.words[0].c_str(), "%4d-%2d-%2d%c", &date.tm_year, &date.tm_mon,
-                  &date.tm_mday, &end) == 3 &&
+      std::sscanf(row.words[0].c_str(), "%4d-%2d-%2d%c", &date.tm_year, &date.tm_mon, &date.tm_mday,
+                  &end) == 3 &&
       std::sscanf(clock.c_str(), "%2d:%2d%c", &date.tm_hour, &date.tm_min, &end) == 2;
   const bool possible = date.tm_year >= 1970 && date.tm_year < 2100 && date.tm_mon >= 1 &&
                         date.tm_mon <= 12 && date.tm_mday >= 1 && date.tm_mday <= 31 &&

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/io/trajectory.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

@@ -71,8 +71,7 @@ Points pointsOf(const PointCloud& cloud) {
   return points;
 }
 
-std::vector<std::uint32_t> timesByAzimuth(const PointCloud& cloud,
-                                          std::int64_t duration) {
+std::vector<std::uint32_t> timesByAzimuth(const PointCloud& cloud, std::int64_t duration) {
   const std::vector<float> fractions = sweepFractions(pointsOf(cloud), AzimuthSweep{});
   std::vector<std::uint32_t> times;
   times.reserve(fractions.size());
@@ -116,8 +115,8 @@ class KittiRaw : public DatasetScans {
 }  // namespace
 
 DatasetScansPtr openKittiRaw(const std::string& folder, const DatasetOptions& options) {
-  return std::make_unique<KittiRaw>(
-      folder, stampedScans(requireBelow(folder, {"velodyne_points"})), options);
+  return std::make_unique<KittiRaw>(folder, stampedScans(requireBelow(folder, {"velodyne_points"})),
+                                    options);
 }
 
 }  // namespace revisit_slam

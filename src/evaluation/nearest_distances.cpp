@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "revisit_slam/util/chunks.h"
 #include "revisit_slam/loops/registration/fine_registration_surfels.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

@@ -84,8 +84,7 @@ void ObjectiveSampling::evaluateChunk(const RegistrationProblem& problem, std::s
                                       double* sums) const {
   const Candidates& candidates = problem.chunks[chunk][index_];
   const TruncatedQuadratic kernel(problem.tau);
-  const Eigen::Vector3f* points =
-      &problem.points_base[chunk * RegistrationProblem::kChunkLength];
+  const Eigen::Vector3f* points = &problem.points_base[chunk * RegistrationProblem::kChunkLength];
   for (std::size_t i = 0; i + 1 < candidates.begin.size(); ++i) {
     const Eigen::Vector3f* first = candidates.relative_base.data() + candidates.begin[i];
     const std::size_t count = candidates.begin[i + 1] - candidates.begin[i];

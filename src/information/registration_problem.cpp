@@ -15,10 +15,10 @@ constexpr float kRounding = 1e-5f;
 
 /// How far the perturbations of a design move one point p: u = t + r x p + higher orders.
 struct Reach {
-  float along_axes;       // per axis, from translation
-  float about_axes;       // per axis, rad
-  float higher_orders;    // m
-  float farthest;         // m
+  float along_axes;     // per axis, from translation
+  float about_axes;     // per axis, rad
+  float higher_orders;  // m
+  float farthest;       // m
 };
 
 Reach reachOf(const PerturbationDesign& design, const Eigen::Vector3f& p) {
@@ -37,8 +37,7 @@ bool canBecomeNearest(const Eigen::Vector3f& c, const Eigen::Vector3f& nearest,
   const Eigen::Vector3f d = c - nearest;
   const float needed = 0.5f * (c.squaredNorm() - nearest.squaredNorm());
   const float possible = reach.along_axes * d.lpNorm<1>() +
-                         reach.about_axes * p.cross(d).lpNorm<1>() +
-                         reach.higher_orders * d.norm();
+                         reach.about_axes * p.cross(d).lpNorm<1>() + reach.higher_orders * d.norm();
   return possible + kRounding >= needed;
 }
 

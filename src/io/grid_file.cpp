@@ -21,9 +21,9 @@ void writeGrid(const std::string& name, const ProjectedGrid& grid) {
       "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
   for (int row = grid.height - 1; row >= 0; --row)
     for (int column = 0; column < grid.width; ++column)
-      picture += greyOf(grid.cells[static_cast<std::size_t>(row) *
-                                       static_cast<std::size_t>(grid.width) +
-                                   static_cast<std::size_t>(column)]);
+      picture +=
+          greyOf(grid.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
+                            static_cast<std::size_t>(column)]);
   char text[512];
   std::snprintf(text, sizeof(text),
                 "image: %s.pgm\nresolution: %.6f\norigin: [%.6f, %.6f, 0.000000]\nnegate: 0\n"

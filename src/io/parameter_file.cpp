@@ -34,8 +34,9 @@ std::vector<NamedText> readParameterFile(const std::string& path) {
 nlohmann::json toJson(const std::vector<Parameter>& parameters) {
   nlohmann::json json = nlohmann::json::object();
   for (const Parameter& parameter : parameters)
-    std::visit([&](auto* value) { json[nlohmann::json::json_pointer("/" + parameter.name)] = *value; },
-               parameter.value);
+    std::visit(
+        [&](auto* value) { json[nlohmann::json::json_pointer("/" + parameter.name)] = *value; },
+        parameter.value);
   return json;
 }
 

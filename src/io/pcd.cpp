@@ -48,11 +48,12 @@ PcdStream::PcdStream(const std::string& path) : path_(path), file_(path, std::io
 /// Always of one length: the count is known only at the end.
 void PcdStream::writeHeader() {
   char header[256];
-  std::snprintf(header, sizeof(header),
-                "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
-                "TYPE F F F\nCOUNT 1 1 1\nWIDTH %012zu\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
-                "POINTS %012zu\nDATA binary\n",
-                count_, count_);
+  std::snprintf(
+      header, sizeof(header),
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
+      "TYPE F F F\nCOUNT 1 1 1\nWIDTH %012zu\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+      "POINTS %012zu\nDATA binary\n",
+      count_, count_);
   file_ << header;
 }
 

@@ -96,7 +96,8 @@ Trajectory readTum(const std::string& path) {
     if (isEmptyOrComment(line)) continue;
     const std::optional<StampedPose> pose = parseTumLine(line);
     if (!pose)
-      fail("line " + std::to_string(number) + " is not a stamp, a position and a quaternion in", path);
+      fail("line " + std::to_string(number) + " is not a stamp, a position and a quaternion in",
+           path);
     trajectory.push_back(*pose);
   }
   return trajectory;

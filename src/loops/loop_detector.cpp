@@ -134,13 +134,12 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
 }
 
 bool LoopDetector::newestIsClosed() const {
-  return std::any_of(closed_.begin(), closed_.end(), [&](const LocalMapPair& pair) {
-    return pair.first == maps_.back()->id;
-  });
+  return std::any_of(closed_.begin(), closed_.end(),
+                     [&](const LocalMapPair& pair) { return pair.first == maps_.back()->id; });
 }
 
-/// T_map_scan of all scans of the maps, by number: as the newest correction has them, those after it as
-/// it carries them along.
+/// T_map_scan of all scans of the maps, by number: as the newest correction has them, those after
+/// it as it carries them along.
 std::vector<Pose> LoopDetector::placeScans() const {
   std::vector<Pose> T_map_scan;
   if (correction_) T_map_scan = correction_->T_map_scan;

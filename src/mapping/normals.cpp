@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "revisit_slam/util/chunks.h"
 #include "revisit_slam/geometry/point_moments.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

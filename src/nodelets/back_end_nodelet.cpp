@@ -13,9 +13,9 @@
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/map_broadcaster.h"
 #include "revisit_slam/ros/node/occupancy_display.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/back_end.h"
-#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 
@@ -135,12 +135,12 @@ class BackEndNodelet : public SlamNodelet {
   }
 
   void finish(const MapsClosed& closed) {
-    stage_->add(closed, [this, request = closed.request](const GraphSession*,
-                                                              const std::string& problem) {
-      if (!problem.empty()) noteError(problem);
-      draw();
-      services_->answer(request, problem);
-    });
+    stage_->add(closed,
+                [this, request = closed.request](const GraphSession*, const std::string& problem) {
+                  if (!problem.empty()) noteError(problem);
+                  draw();
+                  services_->answer(request, problem);
+                });
   }
 
   void publish(const MapCorrectionPtr& correction) {

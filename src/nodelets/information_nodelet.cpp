@@ -8,9 +8,9 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/patient_publisher.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/information_stage.h"
-#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 

@@ -10,10 +10,10 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/map_display.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/map_manager.h"
 #include "revisit_slam/util/process_usage.h"
-#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 
@@ -50,12 +50,10 @@ class MapManagerNodelet : public SlamNodelet {
     startLiveParameters();
     const uint32_t depth = 0;  // no limit: none may be lost
     request_subscriber_ = node.subscribe<CloseMaps>(
-        "close_maps", depth, [this](const boost::shared_ptr<const CloseMaps>& asked) {
-          stage_->close(asked->request);
-        });
+        "close_maps", depth,
+        [this](const boost::shared_ptr<const CloseMaps>& asked) { stage_->close(asked->request); });
     correction_subscriber_ = node.subscribe<MapCorrection>(
-        "map_correction", depth,
-        [this](const boost::shared_ptr<const MapCorrection>& correction) {
+        "map_correction", depth, [this](const boost::shared_ptr<const MapCorrection>& correction) {
           place(toStdPointer(correction));
         });
     if (config_.mapping.enabled)
@@ -117,8 +115,8 @@ class MapManagerNodelet : public SlamNodelet {
     rejected_loops_ += static_cast<int>(search.proposals.size() - accepted);
     maps_waiting_ = static_cast<int>(stage_->waiting());
     if (search.match && accepted > 0)
-      NODELET_INFO("local map %u shows the place of %u: %zu loop constraints",
-                   search.map->id.value, search.match->target.value, accepted);
+      NODELET_INFO("local map %u shows the place of %u: %zu loop constraints", search.map->id.value,
+                   search.match->target.value, accepted);
     display_->add(search);
     display_->draw();
   }

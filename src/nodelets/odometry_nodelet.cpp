@@ -14,16 +14,16 @@
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/patient_publisher.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/odometry_stage.h"
 #include "revisit_slam/util/recent_times.h"
 #include "revisit_slam/util/work_queue.h"
-#include "revisit_slam/ros/node/slam_nodelet.h"
 
 namespace revisit_slam {
 
-/// Hosts the odometry: read, register, broadcast. Scans wait in a queue of its own, so that the number
-/// that the odometry could not take is known.
+/// Hosts the odometry: read, register, broadcast. Scans wait in a queue of its own, so that the
+/// number that the odometry could not take is known.
 class OdometryNodelet : public SlamNodelet {
  public:
   OdometryNodelet() : SlamNodelet("odometry") {}
@@ -47,8 +47,8 @@ class OdometryNodelet : public SlamNodelet {
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
     reader_ = std::make_unique<ScanReader>(config_.input);
     stage_ = std::make_unique<OdometryStage>(config_, now);
-    placement_ = std::make_unique<SensorPlacement>(config_.frames.base,
-                                                   config_.live.transform_patience);
+    placement_ =
+        std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
 
     const ros::Publisher registered = node.advertise<OdometryOutput>("registered_scan", 100);
     registered_publisher_ = {registered,

@@ -10,7 +10,9 @@ AdaptiveThreshold::AdaptiveThreshold(const AdaptiveThresholdConfig& config, doub
       max_range_(max_range),
       sum_of_squares_(config.initial * config.initial) {}
 
-double AdaptiveThreshold::sigma() const { return std::sqrt(sum_of_squares_ / samples_); }
+double AdaptiveThreshold::sigma() const {
+  return std::sqrt(sum_of_squares_ / samples_);
+}
 
 void AdaptiveThreshold::update(const Pose& deviation) {
   const double error =

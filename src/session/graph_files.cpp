@@ -40,10 +40,10 @@ void writeLoops(const std::string& path, const SlamGraph& graph) {
                   T.rotation.z(), T.rotation.w(), loop.fitness, loop.inliers, edge.chi2_before,
                   edge.chi2_after, edge.weight);
     table << edge.id.value << "," << toString(edge.state) << "," << toString(loop.origin) << ","
-          << loop.target_map.value << "," << loop.source_map.value << "," << loop.target.value << ","
-          << loop.source.value << "," << from.value << "," << to.value << ","
-          << stampText(graph.node(from).stamp) << ","
-          << stampText(graph.node(to).stamp) << "," << numbers << "\n";
+          << loop.target_map.value << "," << loop.source_map.value << "," << loop.target.value
+          << "," << loop.source.value << "," << from.value << "," << to.value << ","
+          << stampText(graph.node(from).stamp) << "," << stampText(graph.node(to).stamp) << ","
+          << numbers << "\n";
   }
   writeWholeText(path, table.str());
 }

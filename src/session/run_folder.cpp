@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "revisit_slam/util/quantile.h"
 #include "revisit_slam/io/parameter_file.h"
-#include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/util/process_usage.h"
+#include "revisit_slam/util/quantile.h"
 
 namespace revisit_slam {
 namespace {
@@ -27,7 +27,8 @@ std::string made(const std::string& path) {
 json statistics(const std::map<std::string, std::vector<double>>& stage_ms) {
   json all = json::object();
   for (const auto& [stage, ms] : stage_ms)
-    all[stage] = {{"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1.0)}};
+    all[stage] = {
+        {"median", quantile(ms, 0.5)}, {"p99", quantile(ms, 0.99)}, {"max", quantile(ms, 1.0)}};
   return all;
 }
 

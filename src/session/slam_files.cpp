@@ -3,10 +3,10 @@
 
 #include "revisit_slam/evaluation/consistency_builder.h"
 #include "revisit_slam/evaluation/revisit_cells.h"
-#include "revisit_slam/session/graph_files.h"
 #include "revisit_slam/io/grid_file.h"
 #include "revisit_slam/io/octomap_file.h"
 #include "revisit_slam/io/trajectory.h"
+#include "revisit_slam/session/graph_files.h"
 
 namespace revisit_slam {
 namespace {

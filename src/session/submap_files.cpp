@@ -21,15 +21,18 @@ constexpr double kTile = 200.0;  // m
 
 using Tile = std::pair<int, int>;
 
-int tileOf(double metres) { return static_cast<int>(std::floor(metres / kTile)); }
+int tileOf(double metres) {
+  return static_cast<int>(std::floor(metres / kTile));
+}
 
 /// The tiles that a box may touch once it is placed.
 std::vector<Tile> tilesOf(const Eigen::AlignedBox3f& box, const Pose& T) {
   Eigen::AlignedBox2d placed;
   for (int corner = 0; corner < 8; ++corner)
-    placed.extend((T * Eigen::Vector3d(box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner))
-                                           .cast<double>()))
-                      .head<2>());
+    placed.extend(
+        (T * Eigen::Vector3d(
+                 box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)).cast<double>()))
+            .head<2>());
   std::vector<Tile> tiles;
   for (int x = tileOf(placed.min().x()); x <= tileOf(placed.max().x()); ++x)
     for (int y = tileOf(placed.min().y()); y <= tileOf(placed.max().y()); ++y)
@@ -85,8 +88,9 @@ void SubmapFiles::writeTable(const std::vector<Pose>& T_map_submap) const {
     char pose[256];
     std::snprintf(pose, sizeof(pose), "%.6f,%.6f,%.6f,%.9f,%.9f,%.9f,%.9f", t.x(), t.y(), t.z(),
                   q.x(), q.y(), q.z(), q.w());
-    table << submap.id.value << "," << submap.local_map.value << "," << submap.first_scan.value << ","
-          << submap.lastScan().value << "," << stampText(submap.stamps.front()) << "," << pose << "\n";
+    table << submap.id.value << "," << submap.local_map.value << "," << submap.first_scan.value
+          << "," << submap.lastScan().value << "," << stampText(submap.stamps.front()) << ","
+          << pose << "\n";
   }
   writeWholeText(folder_ + "/submaps.csv", table.str());
 }

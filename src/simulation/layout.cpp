@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/random.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/route.h"
 #include "revisit_slam/simulation/route_file.h"
 #include "revisit_slam/simulation/route_patterns.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {

@@ -61,7 +61,8 @@ void LoopClosing::begin(const LocalMapPtr& map) {
 
 /// What the graph has rejected is no closure.
 void LoopClosing::searchAfterAnswer() {
-  hand(detector_.newestIsClosed() ? detector_.searchRetroactively() : detector_.searchLowDriftWindow(),
+  hand(detector_.newestIsClosed() ? detector_.searchRetroactively()
+                                  : detector_.searchLowDriftWindow(),
        [] {});
 }
 

@@ -71,12 +71,10 @@ void MapManager::hand(MapUpdate update) {
 }
 
 void MapManager::correct(const MapCorrectionPtr& correction) {
-  inLane(correction->session,
-         [correction](LoopClosing& closing) { closing.correct(correction); });
+  inLane(correction->session, [correction](LoopClosing& closing) { closing.correct(correction); });
 }
 
-void MapManager::reconfigure(
-    const std::function<void(LoopsConfig&, RetroactiveConfig&)>& change) {
+void MapManager::reconfigure(const std::function<void(LoopsConfig&, RetroactiveConfig&)>& change) {
   searching_.post([this, change] {
     change(config_.loops, config_.retroactive);
     for (auto& [session, closing] : closing_)

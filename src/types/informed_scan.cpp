@@ -5,9 +5,12 @@ namespace revisit_slam {
 
 const char* toString(InformationSource source) {
   switch (source) {
-    case InformationSource::estimated: return "estimated";
-    case InformationSource::repeated: return "repeated";
-    case InformationSource::identity: return "identity";
+    case InformationSource::estimated:
+      return "estimated";
+    case InformationSource::repeated:
+      return "repeated";
+    case InformationSource::identity:
+      return "identity";
   }
   return "unknown";
 }

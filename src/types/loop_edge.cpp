@@ -5,17 +5,22 @@ namespace revisit_slam {
 
 const char* toString(LoopState state) {
   switch (state) {
-    case LoopState::active: return "active";
-    case LoopState::rejected: return "rejected";
-    case LoopState::disabled: return "disabled";
+    case LoopState::active:
+      return "active";
+    case LoopState::rejected:
+      return "rejected";
+    case LoopState::disabled:
+      return "disabled";
   }
   return "unknown";
 }
 
 const char* toString(LoopOrigin origin) {
   switch (origin) {
-    case LoopOrigin::appearance: return "appearance";
-    case LoopOrigin::retroactive: return "retroactive";
+    case LoopOrigin::appearance:
+      return "appearance";
+    case LoopOrigin::retroactive:
+      return "retroactive";
   }
   return "unknown";
 }

@@ -5,10 +5,14 @@ namespace revisit_slam {
 
 const char* toString(RegistrationOutcome outcome) {
   switch (outcome) {
-    case RegistrationOutcome::converged: return "converged";
-    case RegistrationOutcome::max_iterations: return "stopped at the largest number of iterations";
-    case RegistrationOutcome::too_few_correspondences: return "too few correspondences";
-    case RegistrationOutcome::map_empty: return "first scan";
+    case RegistrationOutcome::converged:
+      return "converged";
+    case RegistrationOutcome::max_iterations:
+      return "stopped at the largest number of iterations";
+    case RegistrationOutcome::too_few_correspondences:
+      return "too few correspondences";
+    case RegistrationOutcome::map_empty:
+      return "first scan";
   }
   return "unknown";
 }

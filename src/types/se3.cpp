@@ -61,7 +61,8 @@ Eigen::Matrix3d leftJacobianSO3(const Eigen::Vector3d& rotation) {
   const double angle = std::sqrt(angle2);
   const bool small = angle < kSmallAngle;
   const double a = small ? 0.5 - angle2 / 24.0 : (1.0 - std::cos(angle)) / angle2;
-  const double b = small ? 1.0 / 6.0 - angle2 / 120.0 : (angle - std::sin(angle)) / (angle2 * angle);
+  const double b =
+      small ? 1.0 / 6.0 - angle2 / 120.0 : (angle - std::sin(angle)) / (angle2 * angle);
   const Eigen::Matrix3d W = skew(rotation);
   return Eigen::Matrix3d::Identity() + a * W + b * W * W;
 }
@@ -69,9 +70,8 @@ Eigen::Matrix3d leftJacobianSO3(const Eigen::Vector3d& rotation) {
 Eigen::Matrix3d leftJacobianInverseSO3(const Eigen::Vector3d& rotation) {
   const double angle2 = rotation.squaredNorm();
   const double angle = std::sqrt(angle2);
-  const double b = angle < 1e-2
-                       ? 1.0 / 12.0 + angle2 / 720.0
-                       : 1.0 / angle2 - 0.5 / (angle * std::tan(0.5 * angle));
+  const double b = angle < 1e-2 ? 1.0 / 12.0 + angle2 / 720.0
+                                : 1.0 / angle2 - 0.5 / (angle * std::tan(0.5 * angle));
   const Eigen::Matrix3d W = skew(rotation);
   return Eigen::Matrix3d::Identity() - 0.5 * W + b * W * W;
 }

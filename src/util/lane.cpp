@@ -24,7 +24,8 @@ void InlineLane::post(Task task) {
 
 ThreadLane::ThreadLane(int niceness, OnError on_error, std::size_t capacity)
     : on_error_(std::move(on_error)),
-      queue_(capacity, [this](const Task& task) { run(task); }, [] {}) {
+      queue_(
+          capacity, [this](const Task& task) { run(task); }, [] {}) {
   queue_.push([niceness] { setThreadNiceness(niceness); });
 }
 

@@ -23,9 +23,13 @@ double secondsOn(clockid_t clock) {
 
 }  // namespace
 
-double processCpuSeconds() { return secondsOn(CLOCK_PROCESS_CPUTIME_ID); }
+double processCpuSeconds() {
+  return secondsOn(CLOCK_PROCESS_CPUTIME_ID);
+}
 
-double threadCpuSeconds() { return secondsOn(CLOCK_THREAD_CPUTIME_ID); }
+double threadCpuSeconds() {
+  return secondsOn(CLOCK_THREAD_CPUTIME_ID);
+}
 
 double memoryMegabytes() {
   std::size_t all_pages = 0, resident_pages = 0;

@@ -59,7 +59,8 @@ void Progress::finish() {
 
 std::string Progress::rate(std::size_t done) const {
   const double per_second = static_cast<double>(done) / std::max(secondsSince(start_), 1e-9);
-  const double left = static_cast<double>(total_ - std::min(done, total_)) / std::max(per_second, 1e-9);
+  const double left =
+      static_cast<double>(total_ - std::min(done, total_)) / std::max(per_second, 1e-9);
   char text[128];
   std::snprintf(text, sizeof(text), "%zu/%zu %s, %.1f/s, %.0f s left", done, total_, unit_.c_str(),
                 per_second, left);

@@ -71,9 +71,8 @@ TEST_P(DamagedFiles, Missing) {
 }
 
 TEST_P(DamagedFiles, OfAnotherKind) {
-  expectSecondScanSkipped([](const std::string& path) {
-    ByteFile().text("<html>Not Found</html>\n.").save(path);
-  });
+  expectSecondScanSkipped(
+      [](const std::string& path) { ByteFile().text("<html>Not Found</html>\n.").save(path); });
 }
 
 TEST_P(DamagedFiles, AFolderWithoutScansIsNamed) {

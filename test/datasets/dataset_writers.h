@@ -13,7 +13,9 @@ namespace revisit_slam {
 
 using Paths = std::vector<std::string>;
 
-inline std::string stampName(Stamp stamp) { return std::to_string(stamp.nanoseconds); }
+inline std::string stampName(Stamp stamp) {
+  return std::to_string(stamp.nanoseconds);
+}
 
 inline std::string padded(std::size_t number, int digits) {
   char text[32];

@@ -15,7 +15,9 @@ struct Sensor {
   const char *dataset, *folder, *simulated, *description;
 };
 
-void PrintTo(const Sensor& sensor, std::ostream* out) { *out << sensor.dataset; }
+void PrintTo(const Sensor& sensor, std::ostream* out) {
+  *out << sensor.dataset;
+}
 
 class HeliprSensors : public ::testing::TestWithParam<Sensor> {};
 
@@ -26,8 +28,7 @@ TEST_P(HeliprSensors, AreReadWithTheirPointTimes) {
   writeHelipr(folder, sensor, simulated);
   const auto scans = openDataset(GetParam().dataset, folder.file(""));
   ASSERT_EQ(scans->size(), simulated.size());
-  for (std::size_t i = 0; i < simulated.size(); ++i)
-    expectDeskewable(scans->read(i), simulated[i]);
+  for (std::size_t i = 0; i < simulated.size(); ++i) expectDeskewable(scans->read(i), simulated[i]);
   PointReader reader({});
   readWith(reader, scans->read(0));
   EXPECT_TRUE(contains(reader.description(), GetParam().description));

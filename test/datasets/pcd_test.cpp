@@ -33,9 +33,9 @@ class OnePcd {
 };
 
 TEST(Pcd, AsciiIsRead) {
-  const auto cloud = OnePcd().read(
-      ByteFile().text(pcdHeader("x y z ring", "4 4 4 2", "F F F U", 3, "ascii") +
-                      "1 2 3 60000\nnan nan nan 4\n-5.5 6e-1 7 -1\n"));
+  const auto cloud =
+      OnePcd().read(ByteFile().text(pcdHeader("x y z ring", "4 4 4 2", "F F F U", 3, "ascii") +
+                                    "1 2 3 60000\nnan nan nan 4\n-5.5 6e-1 7 -1\n"));
   const ScanReading reading = PointReader({}).read(viewOf(cloud), {cloud.stamp, "header", {}});
   ASSERT_TRUE(reading.scan) << reading.detail;
   EXPECT_EQ(reading.counts.not_finite, 1u);
@@ -48,8 +48,9 @@ TEST(Pcd, AsciiIsRead) {
 
 TEST(Pcd, PaddingAndSeveralNumbersInAFieldAreSteppedOver) {
   ByteFile file;
-  file.text("# .PCD v.7\r\nVERSION .7\r\nFIELDS x _ y z\r\nSIZE 4 1 4 8\r\nTYPE F U F F\r\n"
-            "COUNT 1 3 1 1\r\nWIDTH 1\r\nHEIGHT 1\r\nDATA binary\r\n");
+  file.text(
+      "# .PCD v.7\r\nVERSION .7\r\nFIELDS x _ y z\r\nSIZE 4 1 4 8\r\nTYPE F U F F\r\n"
+      "COUNT 1 3 1 1\r\nWIDTH 1\r\nHEIGHT 1\r\nDATA binary\r\n");
   file.put(1.f).text("???").put(2.f).put(3.0);
   const auto cloud = OnePcd().read(file);
   EXPECT_EQ(cloud.point_step, 19u);

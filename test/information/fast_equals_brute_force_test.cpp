@@ -19,7 +19,8 @@ TEST_P(FastEqualsBruteForce, ToTheLastBit) {
   for (Scene scene : {makePlane(), makeCorridor(), makeCorner()}) {
     const Pose T{expSO3({0.1, -0.2, 2.0}), {1234.5, -876.5, 12.3}};
     const LocalVoxelMap map = scene.map(T);
-    const Pose T_off = boxplus(T, (Tangent() << 0.05, -0.03, 0.04, 0.004, -0.003, 0.002).finished());
+    const Pose T_off =
+        boxplus(T, (Tangent() << 0.05, -0.03, 0.04, 0.004, -0.003, 0.002).finished());
     const RegistrationProblem fast =
         gatherProblem(scene.points_base, map, T_off, kTau, 300, designs);
     const RegistrationProblem brute = withAllCandidates(fast, map, T_off);

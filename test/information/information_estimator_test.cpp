@@ -26,7 +26,9 @@ InformationEstimate estimate(Scene& scene, const Pose& T_true, const Pose& T,
   return estimator.estimate(estimator.gather(scene.points_base, map, T, kTau));
 }
 
-InformationEstimate estimate(Scene scene) { return estimate(scene, {}, {}); }
+InformationEstimate estimate(Scene scene) {
+  return estimate(scene, {}, {});
+}
 
 bool isWeak(const InformationEstimate& estimate, const Tangent& direction) {
   double in_weak_space = 0.0;
@@ -35,7 +37,9 @@ bool isWeak(const InformationEstimate& estimate, const Tangent& direction) {
   return in_weak_space > 0.95;
 }
 
-Tangent axis(int i) { return Tangent::Unit(i); }
+Tangent axis(int i) {
+  return Tangent::Unit(i);
+}
 
 /// chi of points on a plane is 2 * sum of squared distances to it: H = 2 * sum (a a^T) with the
 /// lever arms a. Against a map of points the curvature across a plane comes out smaller, as the
@@ -49,8 +53,8 @@ TEST(InformationEstimator, OnAPlaneTheMotionWithinItIsWeak) {
   for (const Eigen::Vector3f& p : scene.points_base) sum_xx += p.x() * p.x();
   const double expected_z = 2.0 * static_cast<double>(scene.points_base.size());
   EXPECT_NEAR(result.information(2, 2) / expected_z, 1.0, 0.2);
-  EXPECT_NEAR(result.information(4, 4) / result.information(2, 2), sum_xx / scene.points_base.size(),
-              0.15 * sum_xx / scene.points_base.size());
+  EXPECT_NEAR(result.information(4, 4) / result.information(2, 2),
+              sum_xx / scene.points_base.size(), 0.15 * sum_xx / scene.points_base.size());
 }
 
 TEST(InformationEstimator, InACorridorTheWayAlongItIsWeak) {
@@ -73,7 +77,8 @@ TEST(InformationEstimator, OnASphereTurningIsWeakAndTranslationIsNot) {
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
   const auto onSphere = [&] {
-    return Eigen::Vector3f(10.0f * Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized());
+    return Eigen::Vector3f(
+        10.0f * Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized());
   };
   for (int i = 0; i < 100000; ++i) scene.map_points_base.push_back(onSphere());
   for (int i = 0; i < 1500; ++i) scene.points_base.push_back(onSphere());
@@ -81,7 +86,8 @@ TEST(InformationEstimator, OnASphereTurningIsWeakAndTranslationIsNot) {
   const Eigen::Vector3d translation = result.information.diagonal().head<3>();
   EXPECT_LT(translation.maxCoeff() / translation.minCoeff(), 1.2);
   // Turning by 0.01 rad slides points by 0.1 m along the sphere; held alike it would be 100 times.
-  EXPECT_LT(result.information.diagonal().tail<3>().maxCoeff(), 0.1 * 100.0 * translation.minCoeff());
+  EXPECT_LT(result.information.diagonal().tail<3>().maxCoeff(),
+            0.1 * 100.0 * translation.minCoeff());
 }
 
 TEST(InformationEstimator, AnOffsetFromTheOptimumShowsInTheGradient) {
@@ -89,7 +95,8 @@ TEST(InformationEstimator, AnOffsetFromTheOptimumShowsInTheGradient) {
   const Tangent offset = (Tangent() << 0.06, -0.04, 0.05, 0.0, 0.0, 0.0).finished();
   const InformationEstimate result = estimate(scene, {}, boxplus({}, offset));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_GT(result.gradient[i] * offset[i], 0.0) << i;  // the objective grows away from the optimum
+    EXPECT_GT(result.gradient[i] * offset[i], 0.0)
+        << i;  // the objective grows away from the optimum
     EXPECT_NEAR(result.gradient[i] / (result.information(i, i) * offset[i]), 1.0, 0.5) << i;
   }
 }

@@ -13,12 +13,14 @@ TEST(PerturbationDesign, RecoversAnyQuadraticExactly) {
     for (const PerturbationDesign& design : makeDesigns(config)) {
       const int first = design.firstAxis(), axes = full ? 6 : 3;
       const Eigen::MatrixXd root = Eigen::MatrixXd::NullaryExpr(
-          axes, axes, [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + 3.0 * i + 7.0 * j); });
+          axes, axes,
+          [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + 3.0 * i + 7.0 * j); });
       const Eigen::MatrixXd H = root * root.transpose();  // correlated
       const Eigen::VectorXd g = root.col(0);
       Eigen::VectorXd b(design.samples().size());
       for (Eigen::Index m = 0; m < b.size(); ++m) {
-        const Eigen::VectorXd d = design.samples()[static_cast<std::size_t>(m)].segment(first, axes);
+        const Eigen::VectorXd d =
+            design.samples()[static_cast<std::size_t>(m)].segment(first, axes);
         b[m] = d.dot(g) + 0.5 * d.dot(H * d);
       }
       const QuadraticFit fit = design.fit(b);

@@ -10,7 +10,8 @@ namespace {
 
 TEST(GridFile, IsWhatMapServerReads) {
   const TemporaryFolder folder;
-  const std::int8_t u = ProjectedGrid::kUnknown, f = ProjectedGrid::kFree, o = ProjectedGrid::kOccupied;
+  const std::int8_t u = ProjectedGrid::kUnknown, f = ProjectedGrid::kFree,
+                    o = ProjectedGrid::kOccupied;
   writeGrid(folder.file("map"), {{-3.5, 2.0}, 0.5, 3, 2, {u, f, o, f, f, u}});
   const std::string picture = textOf(folder.file("map.pgm"));
   EXPECT_EQ(picture, std::string("P5\n3 2\n255\n") + "\xFE\xFE\xCD" + "\xCD\xFE" + '\0');

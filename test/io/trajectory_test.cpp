@@ -129,7 +129,8 @@ TEST(Kitti, ReadsBackPosesAndMakesRotationsOrthonormal) {
 
 TEST(Kitti, RefusesLinesThatAreNoRigidMotion) {
   const TemporaryFolder folder;
-  for (const std::string bad : {"1 0 0 0 0 1 0 0 0 0 1", "1 0 0 0 0 1 0 0 0 0 -1 0", "0 0 0 0 0 0 0 0 0 0 0 0"})
+  for (const std::string bad :
+       {"1 0 0 0 0 1 0 0 0 0 1", "1 0 0 0 0 1 0 0 0 0 -1 0", "0 0 0 0 0 0 0 0 0 0 0 0"})
     EXPECT_THROW(readKitti(folder.with("a.txt", bad + "\n")), std::runtime_error) << bad;
   EXPECT_THROW(readKitti(folder.file("missing.txt")), std::runtime_error);
 }

@@ -8,8 +8,8 @@
 namespace revisit_slam {
 namespace {
 
-/// Out along a street, 300 m elsewhere, and back along it: two local maps of one place, which appearance does
-/// not recognise.
+/// Out along a street, 300 m elsewhere, and back along it: two local maps of one place, which
+/// appearance does not recognise.
 class LoopDetectorTest : public testing::Test {
  protected:
   LoopDetectorTest() : detector_(loops(), {}, {}) {

@@ -112,8 +112,8 @@ TEST(SlamGraph, ADisabledLoopIsNotTriedAgain) {
 
 TEST(SlamGraph, ARejectedLoopWhoseSubmapsWereRegisteredAnewIsNotTriedAgain) {
   SlamGraph graph = misledDrive();
-  ASSERT_TRUE(graph.optimise(
-      ScanId{55}, {straight(0, 50), straight(2, 48), straight(4, 46), straight(5, 45)}));
+  ASSERT_TRUE(graph.optimise(ScanId{55},
+                             {straight(0, 50), straight(2, 48), straight(4, 46), straight(5, 45)}));
   EXPECT_EQ(graph.loops()[2].state, LoopState::rejected);
   EXPECT_EQ(graph.loops()[6].state, LoopState::active);
 }

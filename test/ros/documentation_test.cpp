@@ -89,7 +89,8 @@ TEST(Documentation, TheTableOfParametersIsThatOfTheCode) {
 TEST(Documentation, EveryTopicAndServiceStandsInATable) {
   const std::string nodelets = textOfFolder("src/nodelets", ".cpp");
   const std::set<std::string> documented = findAll(tableRows(textOf("README.md")), "`([\\w/]+)`");
-  const auto names = findAll(nodelets, R"re((?:advertise|subscribe)(?:<[\w:]+>)?\(\s*"([\w/]+)")re");
+  const auto names =
+      findAll(nodelets, R"re((?:advertise|subscribe)(?:<[\w:]+>)?\(\s*"([\w/]+)")re");
   ASSERT_GE(names.size(), 20u);
   for (const std::string& name : names) EXPECT_EQ(documented.count(name), 1u) << name;
   const auto services = findAll(nodelets, R"re(advertiseService\("(\w+)")re");

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/route.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {

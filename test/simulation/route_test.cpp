@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/simulation/revisits.h"
+#include "revisit_slam/util/parameters.h"
 #include "simulation_fixtures.h"
 
 namespace revisit_slam::simulation {

@@ -40,9 +40,8 @@ class BackEndTest : public testing::Test {
 
   std::vector<MapCorrectionPtr> corrections_;
   SlamConfig config_;
-  BackEnd back_end_{config_, [this](const MapCorrectionPtr& correction) {
-                      corrections_.push_back(correction);
-                    }};
+  BackEnd back_end_{
+      config_, [this](const MapCorrectionPtr& correction) { corrections_.push_back(correction); }};
 };
 
 TEST_F(BackEndTest, closuresWaitForTheirScansAndAreAnswered) {
@@ -89,7 +88,8 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   ASSERT_EQ(corrections_.size(), 1u);
   EXPECT_EQ(corrections_.front()->session, kFirst);
   std::string answer = "none";
-  back_end_.add(MapsClosed{kFirst, 20, 0}, [&](const GraphSession*, const std::string& problem) { answer = problem; });
+  back_end_.add(MapsClosed{kFirst, 20, 0},
+                [&](const GraphSession*, const std::string& problem) { answer = problem; });
   EXPECT_EQ(answer, "");
   back_end_.add(closure(0, 19, 2));  // nobody is there any more
   EXPECT_EQ(corrections_.size(), 1u);
@@ -121,10 +121,11 @@ TEST_F(BackEndTest, aSessionWithAFolderIsOnDiskWhenItIsClosed) {
   BackEnd back_end(config_, [](const MapCorrectionPtr&) {});
   for (std::uint32_t i = 0; i < 12; ++i) back_end.add(node(i));
   const std::string drive = back_end.session()->folder();
-  back_end.add(MapsClosed{kFirst, 12, 1}, [](const GraphSession* session, const std::string& problem) {
-    EXPECT_NE(session, nullptr);
-    EXPECT_EQ(problem, "");
-  });
+  back_end.add(MapsClosed{kFirst, 12, 1},
+               [](const GraphSession* session, const std::string& problem) {
+                 EXPECT_NE(session, nullptr);
+                 EXPECT_EQ(problem, "");
+               });
   EXPECT_EQ(readTum(drive + "/trajectory.tum").size(), 12u);
 }
 

@@ -36,7 +36,9 @@ class MapManagerTest : public testing::Test {
     outputs.maps = [this](const MapUpdatePtr& maps) { maps_.push_back(maps); };
     outputs.session = [this](SessionId session) { sessions_.push_back(session); };
     outputs.loops.search = [this](const LoopSearchResult& search) { searches_.push_back(search); };
-    outputs.loops.closures = [this](const LoopClosures& closures) { closures_.push_back(closures); };
+    outputs.loops.closures = [this](const LoopClosures& closures) {
+      closures_.push_back(closures);
+    };
     outputs.loops.closed = [this](const MapsClosed& closed) { closed_.push_back(closed); };
     outputs.loops.problem = [](const std::string& problem) { FAIL() << problem; };
     return outputs;

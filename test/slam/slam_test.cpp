@@ -69,8 +69,8 @@ TEST(Slam, LoopsAreRight) {
     const Constraint& loop = edge.loop.constraint;
     if (edge.loop.target == SubmapId{0}) continue;
     ++judged;
-    const Pose error = loop.T_from_to.inverse() * truth[loop.from.value].inverse() *
-                       truth[loop.to.value];
+    const Pose error =
+        loop.T_from_to.inverse() * truth[loop.from.value].inverse() * truth[loop.to.value];
     EXPECT_LT(error.translation.norm(), 0.3);
     EXPECT_LT(error.angle(), 0.5 * M_PI / 180.0);
   }

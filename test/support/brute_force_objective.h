@@ -11,8 +11,8 @@
 namespace revisit_slam {
 
 /// The same problem with every map point within reach of any sample as a candidate.
-inline RegistrationProblem withAllCandidates(const RegistrationProblem& problem, const LocalVoxelMap& map,
-                                      const Pose& T_odom_base) {
+inline RegistrationProblem withAllCandidates(const RegistrationProblem& problem,
+                                             const LocalVoxelMap& map, const Pose& T_odom_base) {
   const Eigen::Matrix3f R_base_odom = T_odom_base.rotationMatrix().transpose().cast<float>();
   RegistrationProblem all = problem;
   for (std::size_t chunk = 0; chunk < all.chunks.size(); ++chunk)
@@ -20,11 +20,11 @@ inline RegistrationProblem withAllCandidates(const RegistrationProblem& problem,
       const std::size_t points = candidates.begin.size() - 1;
       candidates = Candidates();
       for (std::size_t i = 0; i < points; ++i) {
-        const Eigen::Vector3f& p =
-            all.points_base[chunk * RegistrationProblem::kChunkLength + i];
-        map.forEachAround(T_odom_base * p.cast<double>(), 6.0, [&](const Eigen::Vector3f& relative) {
-          candidates.relative_base.push_back(R_base_odom * relative);
-        });
+        const Eigen::Vector3f& p = all.points_base[chunk * RegistrationProblem::kChunkLength + i];
+        map.forEachAround(T_odom_base * p.cast<double>(), 6.0,
+                          [&](const Eigen::Vector3f& relative) {
+                            candidates.relative_base.push_back(R_base_odom * relative);
+                          });
         candidates.begin.push_back(static_cast<std::uint32_t>(candidates.relative_base.size()));
       }
     }
@@ -42,8 +42,7 @@ class BruteForceComparison {
     if (scan.id.value < first_) return;
     const RegistrationProblem fast =
         gatherProblem(scan.source_base, map, scan.T_odom_base,
-                      Registration::maxCorrespondenceDistance(scan.sigma), 250,
-                      designs_);
+                      Registration::maxCorrespondenceDistance(scan.sigma), 250, designs_);
     const RegistrationProblem brute = withAllCandidates(fast, map, scan.T_odom_base);
     for (std::size_t k = 0; k < designs_.size(); ++k) {
       const ObjectiveSampling sampling(designs_[k], k);

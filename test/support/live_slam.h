@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
-#include <revisit_slam/SaveMap.h>
 #include <revisit_slam/DisableLoop.h>
+#include <revisit_slam/SaveMap.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/PointCloud2.h>

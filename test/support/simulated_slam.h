@@ -8,21 +8,21 @@
 
 #include "revisit_slam/evaluation/absolute_error.h"
 #include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/simulation/drive.h"
 #include "revisit_slam/slam/information_stage.h"
 #include "revisit_slam/slam/slam.h"
-#include "revisit_slam/simulation/drive.h"
 
 namespace revisit_slam {
 
-/// A simulated drive, registered and informed once, for as many runs of the stages behind as wanted.
+/// A simulated drive, registered and informed once, for as many runs of the stages behind as
+/// wanted.
 struct InformedDrive {
   std::vector<InformedScan> scans;
   std::vector<Pose> truth;  ///< T_world_base at the stamps of the scans
 };
 
 inline InformedDrive simulateInformedDrive(const std::string& route_name, double length,
-                                           const std::string& sensor, int columns,
-                                           unsigned seed,
+                                           const std::string& sensor, int columns, unsigned seed,
                                            const SlamConfig& config) {
   using namespace simulation;
   RouteConfig route_config;

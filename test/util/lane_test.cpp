@@ -52,7 +52,8 @@ TEST(ThreadLane, reportsWhatATaskThrowsAndGoesOn) {
 
 TEST(ThreadLane, aTaskMayPostThoughTheLaneIsFull) {
   constexpr std::size_t capacity = 1;
-  ThreadLane lane(0, [](std::exception_ptr) { FAIL(); }, capacity);
+  ThreadLane lane(
+      0, [](std::exception_ptr) { FAIL(); }, capacity);
   int done = 0;
   lane.post([&] {
     for (int i = 0; i < 5; ++i) lane.post([&] { ++done; });
@@ -63,7 +64,8 @@ TEST(ThreadLane, aTaskMayPostThoughTheLaneIsFull) {
 
 TEST(ThreadLane, othersWaitWhileItIsFull) {
   std::promise<void> release;
-  ThreadLane lane(0, [](std::exception_ptr) { FAIL(); }, 1);
+  ThreadLane lane(
+      0, [](std::exception_ptr) { FAIL(); }, 1);
   const std::shared_future<void> released = release.get_future().share();
   lane.post([released] { released.wait(); });
   std::atomic<bool> posted{false};

@@ -129,15 +129,16 @@ std::string messageWithOldNames(const std::vector<NamedText>& values) {
 
 TEST(Parameters, AnOldNameIsAcceptedWithAWarning) {
   Outer config;
-  const auto warnings = assign(
-      parametersOf(config), {{"inner/width", "3"}, {"flag", "true"}, {"amount", "7"}}, kRenamed);
+  const auto warnings = assign(parametersOf(config),
+                               {{"inner/width", "3"}, {"flag", "true"}, {"amount", "7"}}, kRenamed);
   EXPECT_EQ(config.inner.size, 3.0);
   EXPECT_EQ(config.count, 7);
   EXPECT_TRUE(config.flag);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0],
-            "parameter 'inner/width' is now called 'inner/size'; the old name is accepted until the "
-            "next release");
+  EXPECT_EQ(
+      warnings[0],
+      "parameter 'inner/width' is now called 'inner/size'; the old name is accepted until the "
+      "next release");
   EXPECT_EQ(messageWithOldNames({{"inner/size", "3"}}), "0 warnings");
 }
 

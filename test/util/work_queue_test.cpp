@@ -53,8 +53,8 @@ TEST(WorkQueue, fullQueueDropsTheOldestAndSaysSo) {
 
 TEST(WorkQueue, pushWaitingLosesNothingAndDrainReturnsWhenAllIsDone) {
   std::vector<int> handled;
-  WorkQueue<int> queue(3, [&](int item) { handled.push_back(item); },
-                       [] { FAIL() << "waits for room instead"; });
+  WorkQueue<int> queue(
+      3, [&](int item) { handled.push_back(item); }, [] { FAIL() << "waits for room instead"; });
   for (int i = 0; i < 1000; ++i) queue.pushWaiting(i);
   queue.drain();
   ASSERT_EQ(handled.size(), 1000u);

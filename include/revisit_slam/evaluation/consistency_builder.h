@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/evaluation/map_consistency.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/evaluation/consistency_builder.h"
 #include "revisit_slam/evaluation/evaluation.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -18,9 +18,9 @@ class VoxelFilter {
   /// `voxel_size` in metres. Coordinates up to 65,000 voxels from the origin are told apart.
   const Indices& filter(const Points& input, double voxel_size, Points& output);
 
-  /// The same with the input taken in a spread order. The first point of a voxel in the order of the
-  /// scan lies on the side from which the sensor turned, and what is registered by such points is
-  /// drawn to that side; in the spread order it may lie anywhere.
+  /// The same with the input taken in a spread order. The first point of a voxel in the order of
+  /// the scan lies on the side from which the sensor turned, and what is registered by such points
+  /// is drawn to that side; in the spread order it may lie anywhere.
   const Indices& filterSpread(const Points& input, double voxel_size, Points& output);
 
  private:

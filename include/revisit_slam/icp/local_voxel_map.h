@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/icp/local_shape.h"
+#include "revisit_slam/icp/local_voxel_map_config.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/geometry/voxel.h"
-#include "revisit_slam/icp/local_voxel_map_config.h"
-#include "revisit_slam/icp/local_shape.h"
 
 namespace revisit_slam {
 

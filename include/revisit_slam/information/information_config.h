@@ -31,15 +31,18 @@ struct InformationConfig {
     v("full", full, "all 6x6 second derivatives instead of the two 3x3 blocks");
     v("max_points", max_points, Range{100, 1000000}, "",
       "of more registered points an evenly spread subset is sampled");
-    v("min_eigenvalue", min_eigenvalue, Range{1e-12, 1e3}, "", "smaller eigenvalues are raised to it");
+    v("min_eigenvalue", min_eigenvalue, Range{1e-12, 1e3}, "",
+      "smaller eigenvalues are raised to it");
     v("min_eigenvalue_share", min_eigenvalue_share, Range{0.0, 1.0}, "",
-      "so are those below this share of the largest of their block: what the samples can tell apart");
+      "so are those below this share of the largest of their block: what the samples can tell "
+      "apart");
     v("weak_ratio", weak_ratio, Range{0.0, 1.0}, "",
       "a direction is weak below this share of the largest eigenvalue of its block");
     v("calibration", calibration, Range{1e-3, 1e6}, "",
       "factor on the covariance of a registration, measured against ground truth");
     v("deskew_share", deskew_share, Range{0.0, 10.0}, "",
-      "share of the mean change of the deskewing's error that is the deviation of a motion, measured "
+      "share of the mean change of the deskewing's error that is the deviation of a motion, "
+      "measured "
       "likewise");
     v("max_waiting", max_waiting, Range{1, 10000}, "scans",
       "live: with more scans waiting the information of the scan before is repeated, and counted");

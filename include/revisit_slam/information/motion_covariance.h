@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/pose.h"
-#include "revisit_slam/types/se3.h"
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/information/information_estimator.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 
@@ -13,13 +13,13 @@ namespace revisit_slam {
 ///   Sigma = s * Lambda^-1 + diag((k * E|u - u_before|)^2)
 ///
 /// The first term is that of the registration: the information has the unit of the objective, and
-/// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the mean
-/// squared residual at the solution. The second term is that of deskewing: what the motion that a scan
-/// was deskewed with missed, u, bent the scan by as much from its first point to its last, and moves
-/// its pose by a share k of it, whatever the geometry. Under constant acceleration it moves all
-/// poses alike and leaves the motions right; what counts is how u changes from scan to scan. E is a
-/// running mean for each axis; that of squares would be ruled by few scans. The factors were measured
-/// against ground truth (docs/information.md).
+/// for least squares with residuals of variance v the scale is s = 2 v, with v estimated as the
+/// mean squared residual at the solution. The second term is that of deskewing: what the motion
+/// that a scan was deskewed with missed, u, bent the scan by as much from its first point to its
+/// last, and moves its pose by a share k of it, whatever the geometry. Under constant acceleration
+/// it moves all poses alike and leaves the motions right; what counts is how u changes from scan to
+/// scan. E is a running mean for each axis; that of squares would be ruled by few scans. The
+/// factors were measured against ground truth (docs/information.md).
 class MotionCovariance {
  public:
   explicit MotionCovariance(const InformationConfig& config) { reconfigure(config); }

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "revisit_slam/types/se3.h"
 #include "revisit_slam/information/information_config.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 
@@ -16,8 +16,8 @@ struct QuadraticFit {
 };
 
 /// Perturbations d_m along some axes of the tangent space and the regression of the objective's
-/// changes on them (paper Eq. 5): b_m = d_m^T g + 1/2 d_m^T H d_m. The samples come in pairs +d, -d,
-/// which keeps the estimates of g and H from disturbing each other. They are drawn once, from a
+/// changes on them (paper Eq. 5): b_m = d_m^T g + 1/2 d_m^T H d_m. The samples come in pairs +d,
+/// -d, which keeps the estimates of g and H from disturbing each other. They are drawn once, from a
 /// fixed seed, and so is the pseudo-inverse of the design matrix.
 class PerturbationDesign {
  public:

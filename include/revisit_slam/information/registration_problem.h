@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/types/scan.h"
-#include "revisit_slam/information/perturbation_design.h"
 #include "revisit_slam/icp/local_voxel_map.h"
+#include "revisit_slam/information/perturbation_design.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

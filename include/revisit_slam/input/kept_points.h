@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/input/point_view.h"
 #include "revisit_slam/input/scan_reading.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/input/time_unit.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

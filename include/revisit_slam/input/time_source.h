@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/input/time_range.h"
 #include "revisit_slam/input/time_unit.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

@@ -34,8 +34,8 @@ void writeTum(const std::string& path, const Trajectory& trajectory);
 /// Rows 1-3 of the 4x4 matrix, one pose a line. @throws std::runtime_error naming the file.
 void writeKitti(const std::string& path, const Trajectory& trajectory);
 
-/// The poses of a KITTI file: rows 1-3 of the 4x4 matrix, one pose a line, without stamps. Rotations
-/// become the nearest orthonormal ones.
+/// The poses of a KITTI file: rows 1-3 of the 4x4 matrix, one pose a line, without stamps.
+/// Rotations become the nearest orthonormal ones.
 /// @throws std::runtime_error naming the file, and the line where one cannot be read.
 std::vector<Pose> readKitti(const std::string& path);
 

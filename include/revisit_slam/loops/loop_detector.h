@@ -22,25 +22,25 @@ class LoopDetector {
   LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
                const InformationConfig& information);
 
-  /// Takes effect with the next search. What accepts a loop may change while a drive goes on, pictures and
-  /// registration may not.
+  /// Takes effect with the next search. What accepts a loop may change while a drive goes on,
+  /// pictures and registration may not.
   void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
 
-  /// The next local map of the session: recognises the place that it shows among all earlier ones, and
-  /// registers the submaps of both.
+  /// The next local map of the session: recognises the place that it shows among all earlier ones,
+  /// and registers the submaps of both.
   LoopSearchResult searchByAppearance(const LocalMapPtr& map);
 
   /// After the graph has taken loops: pairs of maps since the last such search that it has brought
   /// together. These maps count as searched afterwards.
   LoopSearchResult searchRetroactively();
 
-  /// Pairs of maps since the last search by searchRetroactively(), without counting them as searched: a
-  /// closure that comes later searches them with better poses. Each call takes the next pairs that were not
-  /// `tried`, until there are none.
+  /// Pairs of maps since the last search by searchRetroactively(), without counting them as
+  /// searched: a closure that comes later searches them with better poses. Each call takes the next
+  /// pairs that were not `tried`, until there are none.
   LoopSearchResult searchUnspent(std::set<LocalMapPair>& tried);
 
-  /// Where appearance closed no loop: the newest map and those so little of the way back that the odometry
-  /// alone places them.
+  /// Where appearance closed no loop: the newest map and those so little of the way back that the
+  /// odometry alone places them.
   LoopSearchResult searchLowDriftWindow();
 
   /// Where the graph has the scans, and which loops it has taken.
@@ -64,10 +64,10 @@ class LoopDetector {
   LoopCloser appearance_closer_, retroactive_closer_;
   RetroactiveSearch retroactive_;
 
-  std::vector<LocalMapPtr> maps_;  // of the session, by number
-  MapCorrectionPtr correction_;    // the newest; null: none yet
-  std::set<LocalMapPair> closed_;  // by the graph
-  std::set<LocalMapPair> tried_;   // after the window was last searched to its end
+  std::vector<LocalMapPtr> maps_;       // of the session, by number
+  MapCorrectionPtr correction_;         // the newest; null: none yet
+  std::set<LocalMapPair> closed_;       // by the graph
+  std::set<LocalMapPair> tried_;        // after the window was last searched to its end
   std::optional<LocalMapId> searched_;  // p: up to it all maps were searched retroactively
 };
 

@@ -5,10 +5,10 @@
 
 #include <memory>
 
-#include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/mapping/map_hierarchy.h"
-#include "revisit_slam/occupancy/occupancy_builder.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/occupancy/occupancy_builder.h"
+#include "revisit_slam/types/informed_scan.h"
 
 namespace revisit_slam {
 

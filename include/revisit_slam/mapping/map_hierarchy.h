@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/mapping/submap_builder.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 

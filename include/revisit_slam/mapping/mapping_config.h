@@ -41,7 +41,8 @@ struct MappingConfig {
     v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
       "files have one point for each voxel of this edge");
     v("max_waiting", max_waiting, Range{1, 100000}, "scans",
-      "scans that may wait live to be mapped; the points of further ones are left out of the maps, and "
+      "scans that may wait live to be mapped; the points of further ones are left out of the maps, "
+      "and "
       "counted. Raise it if there is memory, about 1 MB a scan; lower it if there is not");
   }
 };

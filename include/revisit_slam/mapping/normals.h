@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

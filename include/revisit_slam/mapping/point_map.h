@@ -3,9 +3,9 @@
 
 #include <tsl/robin_map.h>
 
+#include "revisit_slam/geometry/voxel.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/geometry/voxel.h"
 
 namespace revisit_slam {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/submap.h"
-#include "revisit_slam/types/travelled_distance.h"
 #include "revisit_slam/mapping/mapping_config.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
+#include "revisit_slam/types/submap.h"
+#include "revisit_slam/types/travelled_distance.h"
 
 namespace revisit_slam {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "revisit_slam/geometry/voxel.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/geometry/voxel.h"
 
 namespace revisit_slam {
 

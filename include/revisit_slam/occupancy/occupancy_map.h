@@ -4,11 +4,11 @@
 #include <map>
 #include <vector>
 
+#include "revisit_slam/occupancy/occupancy_config.h"
+#include "revisit_slam/occupancy/submap_occupancy.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/occupancy/occupancy_config.h"
-#include "revisit_slam/occupancy/submap_occupancy.h"
 
 namespace revisit_slam {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/types/pose.h"
 #include "revisit_slam/occupancy/submap_occupancy.h"
+#include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "revisit_slam/occupancy/occupancy_block_table.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/occupancy/occupancy_block_table.h"
 
 namespace revisit_slam {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/pose.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
 

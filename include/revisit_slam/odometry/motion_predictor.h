@@ -10,18 +10,18 @@ namespace revisit_slam {
 
 /// What is expected of the base between the previous scan and an instant.
 struct PredictedMotion {
-  Pose T_previous_base;      ///< the base at the instant, in its frame at the previous scan
-  ConstantMotion velocity;   ///< while the scan is taken: what it is deskewed with
+  Pose T_previous_base;     ///< the base at the instant, in its frame at the previous scan
+  ConstantMotion velocity;  ///< while the scan is taken: what it is deskewed with
   /// From the previous scan, in whole, however far the motion is extrapolated; 0: there is none.
   double seconds = 0.0;
-  /// Whether motion was seen before, and lately: what the prediction misses then says something about
-  /// the motion. False at the first two scans and after a long gap.
+  /// Whether motion was seen before, and lately: what the prediction misses then says something
+  /// about the motion. False at the first two scans and after a long gap.
   bool is_known = false;
   bool is_after_gap = false;  ///< too long since the previous scan to extrapolate all of it
 };
 
-/// Predicts the motion of the base from scan to scan. Constant velocity is one way; wheels or a gyro
-/// are others.
+/// Predicts the motion of the base from scan to scan. Constant velocity is one way; wheels or a
+/// gyro are others.
 class MotionPredictor {
  public:
   virtual ~MotionPredictor() = default;
@@ -49,7 +49,7 @@ class ConstantVelocityPredictor final : public MotionPredictor {
 
  private:
   double max_prediction_time_ = 0.0;  // s
-  int observed_ = 0;  // up to 2
+  int observed_ = 0;                  // up to 2
   Stamp previous_stamp_;
   Pose T_odom_previous_;
   ConstantMotion motion_;

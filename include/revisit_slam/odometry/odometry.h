@@ -34,10 +34,10 @@ struct OdometryResult {
   StageTimes times;
 };
 
-/// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): predict -> align -> commit.
-/// Scans are registered to the map point to plane where it is planar (the paper's ICP is point to point
-/// everywhere). The odom frame is the base frame of the first scan. Not thread-safe. Runs in the current
-/// TBB arena, with the same bits for any number of threads.
+/// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): predict -> align ->
+/// commit. Scans are registered to the map point to plane where it is planar (the paper's ICP is
+/// point to point everywhere). The odom frame is the base frame of the first scan. Not thread-safe.
+/// Runs in the current TBB arena, with the same bits for any number of threads.
 class Odometry {
  public:
   explicit Odometry(const OdometryConfig& config);

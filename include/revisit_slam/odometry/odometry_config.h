@@ -107,7 +107,8 @@ struct OdometryConfig {
     v("deskew", deskew, "correction of the motion within a scan where its point times are known");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
       "longest time over which the motion is extrapolated; after a longer gap between scans the "
-      "adaptive threshold starts anew. Raise it if scans are lost in steady motion; lower it if the "
+      "adaptive threshold starts anew. Raise it if scans are lost in steady motion; lower it if "
+      "the "
       "motion changes quickly");
     v("restart_after", restart_after, Range{2, 1000}, "scans",
       "scans in a row, in order, that are older than the newest, after which a new session begins "

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/util/parameters.h"
+#include "revisit_slam/io/trajectory.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
 #include "revisit_slam/types/travelled_distance.h"
+#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/util/stage_times.h"
-#include "revisit_slam/io/trajectory.h"
 
 namespace revisit_slam {
 
@@ -22,7 +22,7 @@ struct RunSummary {
   std::string topic;
   std::string tracked_frame;
   std::string time_source;
-  double wall_seconds = 0.0;        ///< of the whole run, reading the bag included
+  double wall_seconds = 0.0;         ///< of the whole run, reading the bag included
   double reading_cpu_seconds = 0.0;  ///< of taking messages out of the bag
   double finish_seconds = 0.0;       ///< from the last scan to the last optimisation
   double memory_mb_per_km = 0.0;

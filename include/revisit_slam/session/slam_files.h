@@ -5,10 +5,10 @@
 #include <string>
 
 #include "revisit_slam/evaluation/map_consistency.h"
-#include "revisit_slam/session/submap_files.h"
+#include "revisit_slam/mapping/map_builder.h"
 #include "revisit_slam/occupancy/occupancy_map.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
-#include "revisit_slam/mapping/map_builder.h"
+#include "revisit_slam/session/submap_files.h"
 
 namespace revisit_slam {
 

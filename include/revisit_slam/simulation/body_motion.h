@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "revisit_slam/types/pose.h"
 #include "revisit_slam/simulation/route_config.h"
+#include "revisit_slam/types/pose.h"
 
 namespace revisit_slam::simulation {
 

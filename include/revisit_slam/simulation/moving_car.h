@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "revisit_slam/simulation/uniform_spline.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/stamp.h"
-#include "revisit_slam/simulation/uniform_spline.h"
 
 namespace revisit_slam::simulation {
 

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <memory>
 
-#include "revisit_slam/types/pose.h"
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/simulation/polyline.h"
 #include "revisit_slam/simulation/route_config.h"
 #include "revisit_slam/simulation/speed_profile.h"
 #include "revisit_slam/simulation/terrain.h"
 #include "revisit_slam/simulation/uniform_spline.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam::simulation {
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/types/scan.h"
 #include "revisit_slam/simulation/ray_caster.h"
 #include "revisit_slam/simulation/route.h"
 #include "revisit_slam/simulation/sensor_model.h"
 #include "revisit_slam/simulation/world.h"
+#include "revisit_slam/types/scan.h"
 
 namespace revisit_slam::simulation {
 

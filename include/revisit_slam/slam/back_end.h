@@ -14,15 +14,15 @@
 
 namespace revisit_slam {
 
-/// The pose graphs of session after session (paper Sec. III-D). What arrives late for a session before
-/// still finds it, until its maps are closed. Its result depends on the order of what it is given within each session alone. For one
-/// thread.
+/// The pose graphs of session after session (paper Sec. III-D). What arrives late for a session
+/// before still finds it, until its maps are closed. Its result depends on the order of what it is
+/// given within each session alone. For one thread.
 class BackEnd {
  public:
   BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction);
 
-  /// The first scan of another session begins its graph. Scans whose predecessors were missed are of no
-  /// use. @return where the scan stands
+  /// The first scan of another session begins its graph. Scans whose predecessors were missed are
+  /// of no use. @return where the scan stands
   ScanOrder add(const InformedScan& scan) { return add(nodeOf(scan)); }
   ScanOrder add(const GraphNode& node);
   void add(const MapUpdate& update);
@@ -47,8 +47,9 @@ class BackEnd {
   SlamConfig config_;
   const GraphSession::OnCorrection on_correction_;
   SessionOrder order_;
-  std::map<SessionId, std::unique_ptr<GraphSession>> sessions_;  // that are not closed, and the newest
-  GraphSession* session_ = nullptr;                              // the newest
+  std::map<SessionId, std::unique_ptr<GraphSession>>
+      sessions_;                     // that are not closed, and the newest
+  GraphSession* session_ = nullptr;  // the newest
 };
 
 }  // namespace revisit_slam

@@ -30,8 +30,8 @@ class InlineExecutor final : public Executor {
   InlineLane lane_;
 };
 
-/// Loops and graph in a thread that stands back behind the one that inserts scans, which waits where
-/// the background is far behind.
+/// Loops and graph in a thread that stands back behind the one that inserts scans, which waits
+/// where the background is far behind.
 class StagedExecutor final : public Executor {
  public:
   explicit StagedExecutor(const BackgroundConfig& config);

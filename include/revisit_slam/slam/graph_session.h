@@ -22,8 +22,9 @@ struct OptimisationCount {
   double seconds = 0.0;
 };
 
-/// Graph and files of one session (paper Sec. III-D): factors in, corrections out. Its methods throw
-/// std::runtime_error naming a file that cannot be written; the graph is whole then nevertheless.
+/// Graph and files of one session (paper Sec. III-D): factors in, corrections out. Its methods
+/// throw std::runtime_error naming a file that cannot be written; the graph is whole then
+/// nevertheless.
 class GraphSession {
  public:
   using OnCorrection = std::function<void(const MapCorrectionPtr&)>;

@@ -11,9 +11,9 @@
 
 namespace revisit_slam {
 
-/// Gives each registered scan the information of its edge, and the covariances of its motion and pose.
-/// No scan is left out: with too many waiting the information of the scan before is repeated. The first
-/// scan of a session begins anew.
+/// Gives each registered scan the information of its edge, and the covariances of its motion and
+/// pose. No scan is left out: with too many waiting the information of the scan before is repeated.
+/// The first scan of a session begins anew.
 class InformationStage {
  public:
   explicit InformationStage(const InformationConfig& config);

@@ -16,10 +16,10 @@
 
 namespace revisit_slam {
 
-/// The feedback between loops and graph (paper Sec. III-E), for one session: local map n is searched by
-/// appearance, the graph takes what was found and answers with a correction, the corrected maps are searched
-/// retroactively, the graph takes that too, and only then comes local map n + 1. So what is found depends
-/// on the order of scans, and not on that of threads.
+/// The feedback between loops and graph (paper Sec. III-E), for one session: local map n is
+/// searched by appearance, the graph takes what was found and answers with a correction, the
+/// corrected maps are searched retroactively, the graph takes that too, and only then comes local
+/// map n + 1. So what is found depends on the order of scans, and not on that of threads.
 class LoopClosing {
  public:
   /// What it hands on, in the thread that called.
@@ -35,7 +35,8 @@ class LoopClosing {
   void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
 
   void add(const LocalMapPtr& map);
-  /// Searches to the end of what is left when all maps so far are searched, and then passes `closed` on.
+  /// Searches to the end of what is left when all maps so far are searched, and then passes
+  /// `closed` on.
   void finish(const MapsClosed& closed);
   /// The graph's answer, or another correction.
   void correct(const MapCorrectionPtr& correction);

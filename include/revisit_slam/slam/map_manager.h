@@ -24,14 +24,14 @@ struct MapManagerCount {
   std::atomic<int> thinned_scans{0};  ///< in the trajectories of submaps, but without their points
 };
 
-/// Builds submaps and local maps from the scans of session after session in one lane, and closes loops
-/// between the local maps in another, so that building does not wait for it.
+/// Builds submaps and local maps from the scans of session after session in one lane, and closes
+/// loops between the local maps in another, so that building does not wait for it.
 class MapManager {
  public:
   struct Outputs {
     std::function<void(const MapUpdatePtr&)> maps;  ///< in the lane that builds
-    std::function<void(SessionId)> session;         ///< another one begins; in the lane that searches
-    LoopClosing::Outputs loops;                     ///< in the lane that searches
+    std::function<void(SessionId)> session;  ///< another one begins; in the lane that searches
+    LoopClosing::Outputs loops;              ///< in the lane that searches
   };
 
   /// The lanes must outlive this, or end before it does.
@@ -39,9 +39,9 @@ class MapManager {
 
   // In any thread, always the same order.
 
-  /// The first scan of another session closes the maps of the one before. Scans whose predecessors were
-  /// missed are of no use. Where more than mapping/max_waiting scans wait, this one gets by without its points:
-  /// that bounds the memory, and no scan is missing in a trajectory.
+  /// The first scan of another session closes the maps of the one before. Scans whose predecessors
+  /// were missed are of no use. Where more than mapping/max_waiting scans wait, this one gets by
+  /// without its points: that bounds the memory, and no scan is missing in a trajectory.
   void insert(const RegisteredScanPtr& scan);
 
   /// Closes the open maps. When they are searched `loops.closed` follows.
@@ -75,7 +75,7 @@ class MapManager {
 
   // In the lane that searches.
   tbb::task_arena arena_;
-  SlamConfig config_;  // in force
+  SlamConfig config_;                         // in force
   std::map<SessionId, LoopClosing> closing_;  // the newest session, and those with work left
 };
 

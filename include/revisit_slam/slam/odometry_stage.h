@@ -38,7 +38,8 @@ class OdometryStage {
     StageTimes times;
   };
 
-  /// What became of the reading, and of those before whose stamps had to be confirmed: none, one or more.
+  /// What became of the reading, and of those before whose stamps had to be confirmed: none, one or
+  /// more.
   std::vector<Result> process(ScanReading reading);
   /// What became of readings that wait to be confirmed, as no further one comes.
   std::vector<Result> flush();
@@ -46,7 +47,8 @@ class OdometryStage {
   /// Counts a message that never became a reading.
   void countDropped(const std::string& reason);
 
-  /// The next scan is the first of another session, in an odometry frame of its own; the account begins anew.
+  /// The next scan is the first of another session, in an odometry frame of its own; the account
+  /// begins anew.
   void startSession();
 
   void reconfigure(const OdometryConfig& config);

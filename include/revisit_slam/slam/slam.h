@@ -11,9 +11,9 @@
 
 namespace revisit_slam {
 
-/// The four stages of a drive, connected: odometry -> information -> maps and loops <-> graph. The one place
-/// that orders them. The same scans give the same results, to the last bit, with any executor and however its
-/// threads take turns.
+/// The four stages of a drive, connected: odometry -> information -> maps and loops <-> graph. The
+/// one place that orders them. The same scans give the same results, to the last bit, with any
+/// executor and however its threads take turns.
 class Slam {
  public:
   /// Observer and executor must outlive this.

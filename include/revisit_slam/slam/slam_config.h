@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/pose_graph/back_end_config.h"
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/loops/search/loops_config.h"
@@ -10,7 +8,9 @@
 #include "revisit_slam/mapping/mapping_config.h"
 #include "revisit_slam/occupancy/occupancy_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/pose_graph/back_end_config.h"
 #include "revisit_slam/slam/background_config.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 
@@ -49,8 +49,10 @@ struct LiveConfig {
     v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
       "it is dated so far ahead of the newest scan");
     v("transform_patience", transform_patience, Range{0.0, 3600.0}, "s",
-      "longest wait for the transform of a sensor's frame when its first scan has come; then its scans "
-      "are dropped and counted until there is one. Raise it if transforms come late at start; lower it "
+      "longest wait for the transform of a sensor's frame when its first scan has come; then its "
+      "scans "
+      "are dropped and counted until there is one. Raise it if transforms come late at start; "
+      "lower it "
       "if scans of another sensor must not wait");
   }
 };

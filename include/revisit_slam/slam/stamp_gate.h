@@ -9,13 +9,13 @@
 
 namespace revisit_slam {
 
-/// Decides by its stamp what becomes of a scan. One stamp alone does not tell whether the clock was set, the
-/// recording has a gap, or the stamp is wrong: what does not follow the scan before is held until the scans
-/// after it have told.
+/// Decides by its stamp what becomes of a scan. One stamp alone does not tell whether the clock was
+/// set, the recording has a gap, or the stamp is wrong: what does not follow the scan before is
+/// held until the scans after it have told.
 class StampGate {
  public:
-  /// `max_gap`: s, longer ones between two scans have to be confirmed by the next. `restart_after`: so many
-  /// scans in a row from before the newest, in order, are another clock.
+  /// `max_gap`: s, longer ones between two scans have to be confirmed by the next. `restart_after`:
+  /// so many scans in a row from before the newest, in order, are another clock.
   StampGate(double max_gap, int restart_after)
       : max_gap_(max_gap), restart_after_(static_cast<std::size_t>(restart_after)) {}
 

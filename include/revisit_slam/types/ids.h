@@ -6,8 +6,8 @@
 
 namespace revisit_slam {
 
-/// One run of the odometry: it ends where the odometry starts anew. What is numbered is numbered within
-/// a session.
+/// One run of the odometry: it ends where the odometry starts anew. What is numbered is numbered
+/// within a session.
 struct SessionId {
   std::uint32_t value = 0;
 
@@ -16,8 +16,8 @@ struct SessionId {
   friend bool operator<(SessionId a, SessionId b) { return a.value < b.value; }
 };
 
-/// Names one thing of one kind by its number and session; ids of different kinds do not mix. Ordered by
-/// session, then number.
+/// Names one thing of one kind by its number and session; ids of different kinds do not mix.
+/// Ordered by session, then number.
 template <typename Tag>
 struct Id {
   std::uint32_t value = 0;  ///< the number, from 0

@@ -11,8 +11,8 @@ namespace revisit_slam {
 /// Whether the information of an edge was estimated from the scan itself.
 enum class InformationSource {
   estimated,
-  repeated,   ///< the estimator fell behind: that of the scan before
-  identity,   ///< nothing to estimate from: the first scan, or information switched off
+  repeated,  ///< the estimator fell behind: that of the scan before
+  identity,  ///< nothing to estimate from: the first scan, or information switched off
 };
 
 const char* toString(InformationSource source);

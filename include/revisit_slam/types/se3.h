@@ -32,6 +32,8 @@ Matrix6 adjoint(const Pose& T);
 Matrix6 rightJacobianInverse(const Tangent& tangent);
 
 /// Right (body-frame) perturbation: T * Exp(d).
-inline Pose boxplus(const Pose& T, const Tangent& d) { return T * exp(d); }
+inline Pose boxplus(const Pose& T, const Tangent& d) {
+  return T * exp(d);
+}
 
 }  // namespace revisit_slam

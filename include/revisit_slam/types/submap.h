@@ -11,8 +11,9 @@
 
 namespace revisit_slam {
 
-/// A stretch of about 25 m (paper Sec. III-C: S_k), closed and immutable. Its frame is the base frame
-/// at its first scan, the keypose. Where that frame lies in the map is known to the graph alone.
+/// A stretch of about 25 m (paper Sec. III-C: S_k), closed and immutable. Its frame is the base
+/// frame at its first scan, the keypose. Where that frame lies in the map is known to the graph
+/// alone.
 struct Submap {
   SubmapId id;
   LocalMapId local_map;
@@ -36,8 +37,8 @@ struct Submap {
 
 using SubmapPtr = std::shared_ptr<const Submap>;
 
-/// A stretch of about 100 m (paper Sec. III-C: M_n) made of whole submaps, closed and immutable. Its
-/// frame is that of its first submap.
+/// A stretch of about 100 m (paper Sec. III-C: M_n) made of whole submaps, closed and immutable.
+/// Its frame is that of its first submap.
 struct LocalMap {
   LocalMapId id;
   /// I_n, in order.

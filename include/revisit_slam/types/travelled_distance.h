@@ -5,8 +5,8 @@
 
 namespace revisit_slam {
 
-/// How far a platform has come. Estimates of one that stands still jitter; what stays within the dead band
-/// around where it last counted is no motion.
+/// How far a platform has come. Estimates of one that stands still jitter; what stays within the
+/// dead band around where it last counted is no motion.
 class TravelledDistance {
  public:
   /// m. Above the jitter of an odometry at rest, below a step.

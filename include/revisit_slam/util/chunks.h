@@ -27,9 +27,8 @@ class Chunks {
   /// Calls work(index, chunk) for every chunk, in parallel in the current TBB arena.
   template <typename Work>
   void forEach(const Work& work) const {
-    tbb::parallel_for(std::size_t{0}, size(), [&](std::size_t index) {
-      work(index, (*this)[index]);
-    });
+    tbb::parallel_for(std::size_t{0}, size(),
+                      [&](std::size_t index) { work(index, (*this)[index]); });
   }
 
  private:

@@ -15,8 +15,8 @@ double memoryMegabytes();
 /// The most memory that this process has held, megabytes (10^6 bytes).
 double peakMemoryMegabytes();
 
-/// Lets all threads take memory from one place, where the C library is glibc: what one has given back
-/// the others can use. To be called before there are threads.
+/// Lets all threads take memory from one place, where the C library is glibc: what one has given
+/// back the others can use. To be called before there are threads.
 void shareMemoryAmongThreads();
 
 }  // namespace revisit_slam

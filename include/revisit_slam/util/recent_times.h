@@ -13,7 +13,8 @@ class RecentTimes {
   static constexpr std::size_t kRemembered = 1000;
 
   void add(double milliseconds);
-  /// "7.1, 18.6, 62.3 of 1000": median, 99th percentile and largest in milliseconds, and of how many.
+  /// "7.1, 18.6, 62.3 of 1000": median, 99th percentile and largest in milliseconds, and of how
+  /// many.
   std::string summary() const;
 
  private:

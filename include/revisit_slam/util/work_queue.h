@@ -50,8 +50,8 @@ class WorkQueue {
     if (dropped) on_drop_();
   }
 
-  /// Waits for room instead, unless the work itself pushes; returns without pushing when the queue is
-  /// stopped.
+  /// Waits for room instead, unless the work itself pushes; returns without pushing when the queue
+  /// is stopped.
   void pushWaiting(Item item) {
     std::unique_lock<std::mutex> lock(mutex_);
     if (std::this_thread::get_id() != thread_.get_id())

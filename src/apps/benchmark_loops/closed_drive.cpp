@@ -37,8 +37,8 @@ class ClosureRecorder : public SlamObserver {
     if (update.local_map) cpu_before_ = processCpuSeconds();
   }
 
-  /// Each map is searched by appearance and then retroactively; what follows after the last map is the
-  /// search at the end.
+  /// Each map is searched by appearance and then retroactively; what follows after the last map is
+  /// the search at the end.
   void onLoopSearch(const LoopSearchResult& search) override {
     if (search.origin == LoopOrigin::appearance) {
       MapClosure& closure = maps_.emplace_back();
@@ -80,8 +80,7 @@ class ClosureRecorder : public SlamObserver {
 
 Pose poseAt(const PoseInterpolator& truth, Stamp stamp) {
   const PoseAnswer answer = truth.at(stamp);
-  if (!answer)
-    throw std::runtime_error("the truth does not cover the scan at " + stampText(stamp));
+  if (!answer) throw std::runtime_error("the truth does not cover the scan at " + stampText(stamp));
   return answer.T_world_base;
 }
 

@@ -29,8 +29,8 @@ struct ClosedDrive {
   Trajectory trajectory;
 };
 
-/// The whole pipeline over all scans of a bag, with loops and graph map by map while nothing else runs. An
-/// empty topic stands for the only one with scans. @throws BagError
+/// The whole pipeline over all scans of a bag, with loops and graph map by map while nothing else
+/// runs. An empty topic stands for the only one with scans. @throws BagError
 ClosedDrive closeLoops(const std::string& bag, const std::string& topic, const SlamConfig& config,
                        bool quiet);
 

@@ -59,7 +59,8 @@ JudgedMap judgeMap(const MapClosure& closure, const std::vector<Stretch>& stretc
 /// Judges proposals, with the submaps of the drive by SubmapId.
 class ConstraintJudge {
  public:
-  ConstraintJudge(const ClosedDrive& closed, const PoseInterpolator& truth, const LoopLimits& limits)
+  ConstraintJudge(const ClosedDrive& closed, const PoseInterpolator& truth,
+                  const LoopLimits& limits)
       : limits_(limits) {
     for (const MapClosure& closure : closed.maps)
       for (const SubmapPtr& submap : closure.search.map->submaps)

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 
@@ -107,8 +107,7 @@ SlamFiles& OfflineRun::filesOf(SessionId session) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string folder =
       session.value == 0 ? "" : "session_" + std::to_string(session.value + 1);
-  return files_
-      .try_emplace(session, folder_.file(folder), config_.mapping, config_.occupancy)
+  return files_.try_emplace(session, folder_.file(folder), config_.mapping, config_.occupancy)
       .first->second;
 }
 
@@ -161,12 +160,12 @@ void OfflineRun::writeResults() {
   }
   folder_.finish(summary);
   if (account.processed == 0)
-    throw BagError("not one of " + std::to_string(account.received) +
-                   " scans could be processed");
+    throw BagError("not one of " + std::to_string(account.received) + " scans could be processed");
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {
-  const MapConsistency consistency = filesOf(slam_.session()->id()).consistency(slam_.session()->graph());
+  const MapConsistency consistency =
+      filesOf(slam_.session()->id()).consistency(slam_.session()->graph());
   summary.revisited_cells = consistency.cells.size();
   if (consistency.cells.empty()) return;
   summary.consistency_mean = consistency.mean;

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/util/progress.h"
-#include "revisit_slam/session/run_folder.h"
-#include "revisit_slam/slam/slam.h"
-#include "revisit_slam/session/slam_files.h"
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/input/scan_source.h"
+#include "revisit_slam/session/run_folder.h"
+#include "revisit_slam/session/slam_files.h"
+#include "revisit_slam/slam/slam.h"
+#include "revisit_slam/util/progress.h"
 
 namespace revisit_slam {
 
@@ -21,8 +21,8 @@ namespace revisit_slam {
 class OfflineRun : private SlamObserver {
  public:
   /// `max_scans` 0: all.
-  OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source, const std::string& folder,
-             std::size_t max_scans, bool quiet);
+  OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
+             const std::string& folder, std::size_t max_scans, bool quiet);
 
   /// Returns whether everything was read and every file is whole.
   bool run();

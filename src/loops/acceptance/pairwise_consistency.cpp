@@ -59,11 +59,12 @@ Centre centreOf(const std::vector<RegisteredPair>& pairs, const PairwiseConsiste
 }
 
 std::vector<GateMeasurement> measureConsistency(const std::vector<RegisteredPair>& pairs,
-                                            std::size_t others,
-                                            const PairwiseConsistencyConfig& config) {
+                                                std::size_t others,
+                                                const PairwiseConsistencyConfig& config) {
   const Centre centre = centreOf(pairs, config);
   const double all = static_cast<double>(pairs.size() + others);
-  const GateMeasurement share{static_cast<double>(centre.support.first) / all, Bound::above, 0.5, ""};
+  const GateMeasurement share{static_cast<double>(centre.support.first) / all, Bound::above, 0.5,
+                              ""};
   std::vector<GateMeasurement> measurements(pairs.size(), share);
   for (std::size_t i = 0; i < pairs.size() && share.isWithin(); ++i) {
     const Difference difference = differenceOf(pairs[centre.index], pairs[i], config);

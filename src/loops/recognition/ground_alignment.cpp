@@ -118,7 +118,8 @@ Pose levelOnGround(const Points& points_local) {
   Ground ground = lowestPoints(points_local, {}, reach);
   if (ground.size() < kMinColumns) return {};
   Pose T_level_local = levelling(fitPlane(ground, {medianHeight(ground)}, kCoarsestScale));
-  ground = lowestPoints(points_local, T_level_local, reach);  // once level, columns hold other points
+  ground =
+      lowestPoints(points_local, T_level_local, reach);  // once level, columns hold other points
   T_level_local = levelling(fitPlane(ground, {}, 2.0 * kFinestScale)) * T_level_local;
   const Eigen::Vector3d up = T_level_local.rotation.conjugate() * Eigen::Vector3d::UnitZ();
   const auto without_yaw = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ());

@@ -196,9 +196,8 @@ Pairs largestConsensus(const Pairs& pairs, const InlierTest& agree,
       if (!choice.next() || !fitTogether(*a, b, agree, config.inlier_radius)) continue;
       if (!near) near = order.around(a, reach);
       const Eigen::Isometry2d T = leastSquares(std::array<DirectedPair, 2>{*a, b});
-      const auto inliers = std::count_if(near->begin(), near->end(), [&](const DirectedPair& pair) {
-        return agree(T, pair);
-      });
+      const auto inliers = std::count_if(near->begin(), near->end(),
+                                         [&](const DirectedPair& pair) { return agree(T, pair); });
       if (inliers <= most) continue;
       most = inliers;
       best = T;

@@ -22,8 +22,8 @@ inline __attribute__((always_inline)) NearestDescriptor search(const Descriptor&
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const int distance = differingBits(
-          query, {block[0][lane], block[1][lane], block[2][lane], block[3][lane]});
+      const int distance =
+          differingBits(query, {block[0][lane], block[1][lane], block[2][lane], block[3][lane]});
       if (distance < best.distance) best = {b * kLanes + lane, distance};
     }
   }
@@ -73,9 +73,9 @@ __attribute__((target("popcnt,avx512f,avx512vpopcntdq"))) NearestDescriptor sear
   };
   std::size_t b = 0;
   for (; b + 4 <= blocks.size(); b += 4) {
-    const __m512i least = _mm512_min_epi64(
-        _mm512_min_epi64(distanceTo(blocks[b]), distanceTo(blocks[b + 1])),
-        _mm512_min_epi64(distanceTo(blocks[b + 2]), distanceTo(blocks[b + 3])));
+    const __m512i least =
+        _mm512_min_epi64(_mm512_min_epi64(distanceTo(blocks[b]), distanceTo(blocks[b + 1])),
+                         _mm512_min_epi64(distanceTo(blocks[b + 2]), distanceTo(blocks[b + 3])));
     if (_mm512_cmplt_epi64_mask(least, distances) == 0) continue;
     for (std::size_t i = b; i < b + 4; ++i) take(i);
   }

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "revisit_slam/util/chunks.h"
 #include "revisit_slam/loops/recognition/ground_alignment.h"
 #include "revisit_slam/loops/recognition/place_alignment.h"
 #include "revisit_slam/loops/recognition/place_matching.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "revisit_slam/util/chunks.h"
 #include "revisit_slam/loops/registration/fine_registration_objective.h"
+#include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
 namespace {

@@ -54,7 +54,9 @@ InformationConfig withAllPoints(InformationConfig information) {
 
 LoopInformation::LoopInformation(const InformationConfig& information,
                                  const FineRegistrationConfig& registration)
-    : config_(registration), enabled_(information.enabled), estimator_(withAllPoints(information)) {}
+    : config_(registration),
+      enabled_(information.enabled),
+      estimator_(withAllPoints(information)) {}
 
 Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
                                   const Pose& T_target_source) const {

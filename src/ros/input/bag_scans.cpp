@@ -38,8 +38,9 @@ void BagScans::open(const std::string& path) {
   try {
     bags_.back()->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
-    throw BagError("the bag '" + path + "' has no index, its recording was cut off; make one with: " +
-                   "rosbag reindex " + path);
+    throw BagError(
+        "the bag '" + path +
+        "' has no index, its recording was cut off; make one with: " + "rosbag reindex " + path);
   } catch (const rosbag::BagException& error) {
     throw BagError("cannot read the bag '" + path + "': " + error.what() +
                    "; if it was cut off, try: rosbag reindex " + path);
@@ -59,8 +60,9 @@ std::string BagScans::chooseTopic(const std::string& wanted) {
   const std::string found = "; topics with scans: " + join(topics_with_scans);
   if (wanted.empty()) {
     if (topics_with_scans.size() == 1) return *topics_with_scans.begin();
-    throw BagError((topics_with_scans.empty() ? "the bag has no topic with scans"
-                                              : "the bag has several topics with scans, choose one") +
+    throw BagError((topics_with_scans.empty()
+                        ? "the bag has no topic with scans"
+                        : "the bag has several topics with scans, choose one") +
                    found);
   }
   if (types.count(wanted) == 0) throw BagError("the bag has no topic '" + wanted + "'" + found);
@@ -70,7 +72,8 @@ std::string BagScans::chooseTopic(const std::string& wanted) {
 }
 
 void BagScans::readTransforms() {
-  std::set<std::string> children;  // the first transform of a frame stays: static ones before others
+  std::set<std::string>
+      children;  // the first transform of a frame stays: static ones before others
   const auto keep = [&](const geometry_msgs::TransformStamped& transform) {
     if (!children.insert(transform.child_frame_id).second) return;
     has_transforms_ |= transforms_.setTransform(transform, "bag", true);

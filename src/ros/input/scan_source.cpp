@@ -26,7 +26,8 @@ std::string frameOf(const rosbag::MessageInstance& instance) {
 
 class BagSource : public ScanSource {
  public:
-  BagSource(const std::vector<std::string>& paths, const std::string& topic) : bags_(paths, topic) {}
+  BagSource(const std::vector<std::string>& paths, const std::string& topic)
+      : bags_(paths, topic) {}
 
   std::string description() const override { return "topic " + bags_.topic(); }
   std::size_t size() override { return bags_.size(); }

@@ -9,7 +9,8 @@
 
 namespace revisit_slam {
 
-geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan, const std::string& odom_frame,
+geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan,
+                                            const std::string& odom_frame,
                                             const std::string& base_frame) {
   geometry_msgs::TransformStamped message;
   message.header.stamp = toRosTime(scan.stamp);
@@ -39,7 +40,8 @@ nav_msgs::Odometry toOdometry(const RegisteredScan& scan, const std::string& odo
 void fillCovariances(const Matrix6& covariance_pose, const Matrix6& covariance_motion,
                      double seconds, const Pose& T_odom_base, nav_msgs::Odometry& odometry) {
   using RowMajor6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-  Eigen::Map<RowMajor6>(odometry.pose.covariance.data()) = inFixedAxes(covariance_pose, T_odom_base);
+  Eigen::Map<RowMajor6>(odometry.pose.covariance.data()) =
+      inFixedAxes(covariance_pose, T_odom_base);
   if (seconds > 0.0)
     Eigen::Map<RowMajor6>(odometry.twist.covariance.data()) =
         covariance_motion / (seconds * seconds);

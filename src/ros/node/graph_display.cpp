@@ -14,8 +14,8 @@ constexpr std::size_t kMaxPoses = 2'000;
 
 }  // namespace
 
-GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame, double min_inlier_weight,
-                           std::function<void()> on_subscriber)
+GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame,
+                           double min_inlier_weight, std::function<void()> on_subscriber)
     : frame_(frame), min_inlier_weight_(min_inlier_weight) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =
@@ -31,7 +31,8 @@ GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame, doub
 
 void GraphDisplay::draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const {
   drawPath(graph);
-  if (edges_.getNumSubscribers() > 0) edges_.publish(toLoopEdges(graph, min_inlier_weight_, frame_));
+  if (edges_.getNumSubscribers() > 0)
+    edges_.publish(toLoopEdges(graph, min_inlier_weight_, frame_));
   if (cloud_.getNumSubscribers() > 0) {
     std::vector<CloudPart> parts;
     for (const SubmapPtr& submap : submaps)

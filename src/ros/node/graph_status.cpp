@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/graph_status.h"
 
-#include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 

@@ -11,8 +11,10 @@ namespace {
 
 std::string scalarText(XmlRpc::XmlRpcValue& value) {
   if (value.getType() == XmlRpc::XmlRpcValue::TypeString) return value;
-  if (value.getType() == XmlRpc::XmlRpcValue::TypeBoolean) return static_cast<bool>(value) ? "true" : "false";
-  if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) return std::to_string(static_cast<int>(value));
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeBoolean)
+    return static_cast<bool>(value) ? "true" : "false";
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeInt)
+    return std::to_string(static_cast<int>(value));
   std::ostringstream text;
   text.precision(17);
   text << static_cast<double>(value);

@@ -26,15 +26,17 @@ std::optional<Pose> SensorPlacement::find(const std::string& sensor_frame,
   if (known == placed_.end()) return placed_[sensor_frame] = waitFor(sensor_frame, stopping);
   const std::optional<Pose> T_base_sensor = lookUp(sensor_frame);
   if (!T_base_sensor) {
-    ROS_WARN_THROTTLE(5.0,
-                      "no transform from '%s' to '%s': its scans are dropped; broadcast one, or set "
-                      "frames/base to a frame that is connected, or to nothing for the sensor's own",
-                      sensor_frame.c_str(), base_frame_.c_str());
+    ROS_WARN_THROTTLE(
+        5.0,
+        "no transform from '%s' to '%s': its scans are dropped; broadcast one, or set "
+        "frames/base to a frame that is connected, or to nothing for the sensor's own",
+        sensor_frame.c_str(), base_frame_.c_str());
     return std::nullopt;
   }
   if (known->second && differ(*known->second, *T_base_sensor))
-    ROS_WARN_THROTTLE(5.0, "the transform from '%s' to '%s' has changed: scans are placed by the new one",
-                      sensor_frame.c_str(), base_frame_.c_str());
+    ROS_WARN_THROTTLE(
+        5.0, "the transform from '%s' to '%s' has changed: scans are placed by the new one",
+        sensor_frame.c_str(), base_frame_.c_str());
   return known->second = T_base_sensor;
 }
 

@@ -31,7 +31,7 @@ void displace(RegisteredPair& pair, double metres) {
 }
 
 std::vector<GateMeasurement> measure(const std::vector<RegisteredPair>& pairs,
-                                 const PairwiseConsistencyConfig& config = {}) {
+                                     const PairwiseConsistencyConfig& config = {}) {
   return consistencyGate(config, {}).measure({pairs, {}});
 }
 

@@ -16,8 +16,7 @@ Eigen::Isometry2d truth(double turn = kTurn) {
 
 /// Pairs that agree, with noise, and some that do not; turns are wrapped as differences of angles
 /// are.
-std::vector<PointPair> somePairs(int right, int wrong, RandomNumbers& random,
-                                 double turn = kTurn) {
+std::vector<PointPair> somePairs(int right, int wrong, RandomNumbers& random, double turn = kTurn) {
   std::vector<PointPair> pairs;
   for (int i = 0; i < right + wrong; ++i) {
     const Eigen::Vector2d source = random.inCube(200).head<2>();

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/geometry/voxel_filter.h"
+#include "revisit_slam/types/submap.h"
 #include "support/random_numbers.h"
 
 namespace revisit_slam {

@@ -66,7 +66,8 @@ TEST_F(RetroactiveSearchTest, TheBestIsNearAndFarFromOtherClosures) {
     EXPECT_LE(candidates[i].gain, candidates[i - 1].gain);
 }
 
-/// Three local maps of one submap each: 60 m ahead, 60 m on around a bend, and back beside the first.
+/// Three local maps of one submap each: 60 m ahead, 60 m on around a bend, and back beside the
+/// first.
 TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheTravelledDistanceBetweenTheirSubmapsIsLong) {
   const Eigen::Vector3d corners[] = {{0, 0, 0}, {60, 0, 0}, {60, 5, 0}, {0, 5, 0}};
   std::vector<SubmapPtr> submaps;
@@ -76,7 +77,8 @@ TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheTravelledDistanceBetweenTheir
     submap->first_scan = {60 * n};
     const Eigen::Vector3d step = (corners[n + 1] - corners[n]) / 60.0;
     submap->travelled_begin = n == 0 ? 0.0 : submaps.back()->travelled_end;
-    submap->travelled_end = submap->travelled_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
+    submap->travelled_end =
+        submap->travelled_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
     submap->T_submap_scan.resize(60);
     for (int m = 0; m < 60; ++m) {
       submap->T_submap_scan[m].translation = m * step;
@@ -101,7 +103,7 @@ TEST_F(RetroactiveSearchTest, InTheLowDriftWindowAreOnlyMapsNotFarBack) {
     config.low_drift_window = window;
     return RetroactiveSearch(config).searchLowDriftWindow(maps_, T_map_scan_, {n}, {});
   };
-  EXPECT_TRUE(contains(within(300.0, 6), 6, 3));  // 201 m back
+  EXPECT_TRUE(contains(within(300.0, 6), 6, 3));   // 201 m back
   EXPECT_FALSE(contains(within(300.0, 7), 7, 2));  // 401 m back
   EXPECT_TRUE(contains(within(500.0, 7), 7, 2));
   for (const RetroactiveCandidate& candidate : within(500.0, 7))

@@ -38,8 +38,8 @@ void playAndCompare(const std::string& bag, const std::string& topic, std::size_
     // A player that ends of itself may take the end of the last, large message with it.
     ChildProcess player({"rosbag", "play", "--quiet", "--keep-alive", "--wait-for-subscribers",
                          "--rate", rate, bag, "--topics", topic, topic + ":=/points"});
-    ASSERT_TRUE(listener.hasPoses(count))
-        << listener.trajectory().size() << " poses\n" << player.output();
+    ASSERT_TRUE(listener.hasPoses(count)) << listener.trajectory().size() << " poses\n"
+                                          << player.output();
   }
   const Trajectory live = listener.trajectory();
   for (std::size_t i = 0; i < count; ++i) expectSame(live[i], expected[i]);

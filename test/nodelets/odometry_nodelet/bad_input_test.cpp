@@ -27,8 +27,7 @@ TEST_F(BadInput, badCloudsAreCountedByReasonAndGoodOnesAroundThemRegistered) {
                                                            {"no points", 1},
                                                            {"no x, y, z", 1},
                                                            {"time went back", 1}}));
-  EXPECT_TRUE(
-      listener_.diagnosesEndingWith("time of a scan: median, p99, largest (ms)", " of 4"));
+  EXPECT_TRUE(listener_.diagnosesEndingWith("time of a scan: median, p99, largest (ms)", " of 4"));
   ASSERT_TRUE(listener_.hasPoses(4));
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(listener_.stamps()[i], drive.scans[i].stamp);
 }

@@ -67,7 +67,8 @@ TEST_F(Extrinsics, anUnknownFirstFrameIsDroppedAndDoesNotBlockTheOthers) {
   EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"no transform from 'another'", 2}}));
 }
 
-/// Every second scan comes from a sensor that is mounted elsewhere; seen from the base all is one drive.
+/// Every second scan comes from a sensor that is mounted elsewhere; seen from the base all is one
+/// drive.
 TEST_F(Extrinsics, twoSensorsWithFramesOfTheirOwnArePlacedBothRightly) {
   setParameter("frames/base", std::string("robot"));
   load();

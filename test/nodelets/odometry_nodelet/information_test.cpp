@@ -85,7 +85,9 @@ TEST_F(Information, theOdometryHasACovarianceThatGrows) {
   loadBoth();
   for (const auto& cloud : toClouds(driveInRoom(kScans))) publish(cloud);
   ASSERT_TRUE(allHere(kScans));
-  const auto trace = [](const auto& covariance) { return covariance[0] + covariance[7] + covariance[14]; };
+  const auto trace = [](const auto& covariance) {
+    return covariance[0] + covariance[7] + covariance[14];
+  };
   EXPECT_EQ(trace(odometry_.front()->pose.covariance), 0.0);  // where the odom frame is
   for (std::uint32_t i = 1; i < kScans; ++i) {
     EXPECT_GT(trace(odometry_[i]->pose.covariance), trace(odometry_[i - 1]->pose.covariance));

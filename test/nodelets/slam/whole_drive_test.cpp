@@ -55,8 +55,7 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
     return !received.empty() && isBroadcast(received.back()->T_map_odom);
   }));
   const auto corrections = slam.copyOf(slam.corrections);
-  for (std::size_t i = 0; i < corrections.size(); ++i)
-    EXPECT_EQ(corrections[i]->version, i + 1);
+  for (std::size_t i = 0; i < corrections.size(); ++i) EXPECT_EQ(corrections[i]->version, i + 1);
   const Pose T_map_odom = corrections.back()->T_map_odom;
   EXPECT_GT(T_map_odom.translation.norm() + T_map_odom.angle(), 1e-6);
 

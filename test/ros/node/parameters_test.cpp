@@ -11,8 +11,8 @@
 #include <limits>
 #include <map>
 
-#include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 namespace {

@@ -39,7 +39,7 @@ struct GateMeasurement {
 
 /// What the gates decided on a pair.
 struct LoopVerdict {
-  std::string gate;         ///< that rejected the pair; empty: accepted
+  std::string gate;             ///< that rejected the pair; empty: accepted
   GateMeasurement measurement;  ///< of that gate
 
   bool isAccepted() const { return gate.empty(); }

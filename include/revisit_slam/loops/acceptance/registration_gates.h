@@ -11,7 +11,7 @@ namespace revisit_slam {
 inline Gate correspondencesGate(int min_correspondences) {
   return gateOfEach("correspondences", [min_correspondences](const RegisteredPair& pair) {
     return GateMeasurement{static_cast<double>(pair.registration.inliers), Bound::at_least,
-                       static_cast<double>(min_correspondences), ""};
+                           static_cast<double>(min_correspondences), ""};
   });
 }
 

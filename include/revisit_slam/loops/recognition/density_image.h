@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "revisit_slam/loops/recognition/place_recognition_config.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
-#include "revisit_slam/loops/recognition/place_recognition_config.h"
 
 namespace revisit_slam {
 

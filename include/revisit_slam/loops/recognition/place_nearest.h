@@ -16,7 +16,8 @@ struct NearestDescriptor {
 };
 
 /// Eight descriptors, word by word.
-using DescriptorBlock = std::array<std::array<std::uint64_t, 8>, std::tuple_size<Descriptor>::value>;
+using DescriptorBlock =
+    std::array<std::array<std::uint64_t, 8>, std::tuple_size<Descriptor>::value>;
 
 /// The first of the nearest that are nearer than what it is given, else that.
 using DescriptorSearch = NearestDescriptor(const Descriptor& query,
@@ -34,7 +35,8 @@ class DescriptorBlocks {
   void set(std::size_t index, const Descriptor& descriptor);
   std::size_t bytes() const { return blocks_.size() * sizeof(DescriptorBlock); }
 
-  /// The first of the nearest that are nearer than `bound` bits, else {number of descriptors, bound}.
+  /// The first of the nearest that are nearer than `bound` bits, else {number of descriptors,
+  /// bound}.
   NearestDescriptor nearest(const Descriptor& query, int bound,
                             DescriptorSearch* search = descriptorSearches().back()) const {
     return search(query, blocks_, {size_, bound});

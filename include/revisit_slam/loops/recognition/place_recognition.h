@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/loops/recognition/place_features.h"
 #include "revisit_slam/loops/recognition/place_nearest.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 

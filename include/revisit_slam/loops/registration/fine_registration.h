@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/loops/registration/fine_registration_config.h"
 #include "revisit_slam/loops/registration/fine_registration_surfels.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 

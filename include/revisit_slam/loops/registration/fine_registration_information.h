@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "revisit_slam/types/submap.h"
+#include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/loops/registration/fine_registration_config.h"
-#include "revisit_slam/icp/local_voxel_map.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "revisit_slam/types/submap.h"
 #include "revisit_slam/loops/association/submap_association.h"
+#include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
 
@@ -23,8 +23,10 @@ struct RetroactiveConfig {
     v("enabled", enabled, "false: only appearance closes loops (ablation)");
     v.group("association", association);
     v("low_drift_window", low_drift_window, Range{0.0, 100000.0}, "m",
-      "how far back, in travelled metres, odometry alone is trusted to place maps: a local map that "
-      "appearance did not close is compared with those in this window; 0: with none. Raise it if the "
+      "how far back, in travelled metres, odometry alone is trusted to place maps: a local map "
+      "that "
+      "appearance did not close is compared with those in this window; 0: with none. Raise it if "
+      "the "
       "odometry drifts little and short loops stay open; lower it if the odometry drifts by metres "
       "within this distance");
     v("novelty_range", novelty_range, Range{1, 1000}, "",
@@ -47,8 +49,8 @@ struct RetroactiveCandidate {
 /// The submaps of a local map as the graph placed them; `T_map_scan` counts by scan id.
 std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan);
 
-/// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E), and those that
-/// the odometry alone places well.
+/// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E), and those
+/// that the odometry alone places well.
 class RetroactiveSearch {
  public:
   explicit RetroactiveSearch(const RetroactiveConfig& config) : config_(config) {}
@@ -57,8 +59,8 @@ class RetroactiveSearch {
 
   /// Pairs (i, j) with p < i <= n and j earlier, not in `closed`, whose optimised trajectories
   /// satisfy d_H <= tau_H and come near where they are not neighbours along the drive; most
-  /// promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps up to n are
-  /// searched.
+  /// promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps
+  /// up to n are searched.
   std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
                                            const std::vector<Pose>& T_map_scan,
                                            std::optional<LocalMapId> p, LocalMapId n,

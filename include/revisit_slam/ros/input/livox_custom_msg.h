@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/ros/input/point_message.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

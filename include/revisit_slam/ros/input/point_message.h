@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/input/load_number.h"
 #include "revisit_slam/input/point_view.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

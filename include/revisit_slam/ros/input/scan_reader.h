@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/types/pose.h"
 #include "revisit_slam/input/point_cloud.h"
 #include "revisit_slam/input/point_reader.h"
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/input/scan_reading.h"
 #include "revisit_slam/ros/input/livox_custom_msg.h"
+#include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <sensor_msgs/PointCloud2.h>
+#include <topic_tools/shape_shifter.h>
+
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include <sensor_msgs/PointCloud2.h>
-#include <topic_tools/shape_shifter.h>
 
 #include "revisit_slam/input/point_cloud.h"
 #include "revisit_slam/types/pose.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/pose_graph/slam_graph.h"
 #include "revisit_slam/loops/search/loop_search_result.h"
+#include "revisit_slam/pose_graph/slam_graph.h"
 
 namespace revisit_slam {
 

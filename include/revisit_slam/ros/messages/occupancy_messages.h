@@ -9,9 +9,9 @@
 
 #include <string>
 
-#include "revisit_slam/types/stamp.h"
 #include "revisit_slam/occupancy/occupancy_map.h"
 #include "revisit_slam/occupancy/projected_grid.h"
+#include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 

@@ -17,8 +17,9 @@ inline Stamp toStamp(const ros::Time& time) {
   return {static_cast<std::int64_t>(time.sec) * 1'000'000'000 + time.nsec};
 }
 
-/// ROS 1 has no time before the epoch nor after 32 bits of seconds: such stamps become its ends. The
-/// last minute is left out, as every tf2 listener adds to stamps and throws where that overflows.
+/// ROS 1 has no time before the epoch nor after 32 bits of seconds: such stamps become its ends.
+/// The last minute is left out, as every tf2 listener adds to stamps and throws where that
+/// overflows.
 inline ros::Time toRosTime(Stamp stamp) {
   constexpr std::int64_t last = (std::int64_t{0xffffffff} - 60) * 1'000'000'000;
   ros::Time time;

@@ -15,7 +15,8 @@
 
 namespace revisit_slam {
 
-geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan, const std::string& odom_frame,
+geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan,
+                                            const std::string& odom_frame,
                                             const std::string& base_frame);
 
 /// Pose in the odom frame, twist in the base frame; the covariances are not filled in.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <revisit_slam/SaveMap.h>
 #include <revisit_slam/DisableLoop.h>
+#include <revisit_slam/SaveMap.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>

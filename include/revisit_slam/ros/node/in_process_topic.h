@@ -29,40 +29,41 @@ boost::shared_ptr<const T> toBoostPointer(const std::shared_ptr<const T>& pointe
 /// is the one that the others receive. Such a topic does not leave the process: a subscriber in
 /// another one is told so by an exception that roscpp logs, and gets no message. Never latch them:
 /// latching keeps the serialised form, which is empty.
-#define REVISIT_SLAM_IN_PROCESS_TOPIC(Type, Name, Md5)                                           \
-  namespace ros {                                                                                \
-  namespace message_traits {                                                                     \
-  template <>                                                                                    \
-  struct IsMessage<Type> : TrueType {};                                                          \
-  template <>                                                                                    \
-  struct IsMessage<const Type> : TrueType {};                                                    \
-  template <>                                                                                    \
-  struct MD5Sum<Type> {                                                                          \
-    static const char* value() { return Md5; }                                                   \
-    static const char* value(const Type&) { return value(); }                                    \
-  };                                                                                             \
-  template <>                                                                                    \
-  struct DataType<Type> {                                                                        \
-    static const char* value() { return Name; }                                                  \
-    static const char* value(const Type&) { return value(); }                                    \
-  };                                                                                             \
-  template <>                                                                                    \
-  struct Definition<Type> {                                                                      \
-    static const char* value() { return "# " Name " does not leave the nodelet manager\n"; }     \
-    static const char* value(const Type&) { return value(); }                                    \
-  };                                                                                             \
-  }                                                                                              \
-  namespace serialization {                                                                      \
-  template <>                                                                                    \
-  struct Serializer<Type> {                                                                      \
-    template <typename Stream>                                                                   \
-    static void write(Stream&, const Type&) {}                                                   \
-    template <typename Stream>                                                                   \
-    static void read(Stream&, Type&) {                                                           \
-      throw std::runtime_error(Name " does not leave the nodelet manager: run this subscriber "  \
-                                    "as a nodelet in the same manager");                         \
-    }                                                                                            \
-    static uint32_t serializedLength(const Type&) { return 0; }                                  \
-  };                                                                                             \
-  }                                                                                              \
+#define REVISIT_SLAM_IN_PROCESS_TOPIC(Type, Name, Md5)                                       \
+  namespace ros {                                                                            \
+  namespace message_traits {                                                                 \
+  template <>                                                                                \
+  struct IsMessage<Type> : TrueType {};                                                      \
+  template <>                                                                                \
+  struct IsMessage<const Type> : TrueType {};                                                \
+  template <>                                                                                \
+  struct MD5Sum<Type> {                                                                      \
+    static const char* value() { return Md5; }                                               \
+    static const char* value(const Type&) { return value(); }                                \
+  };                                                                                         \
+  template <>                                                                                \
+  struct DataType<Type> {                                                                    \
+    static const char* value() { return Name; }                                              \
+    static const char* value(const Type&) { return value(); }                                \
+  };                                                                                         \
+  template <>                                                                                \
+  struct Definition<Type> {                                                                  \
+    static const char* value() { return "# " Name " does not leave the nodelet manager\n"; } \
+    static const char* value(const Type&) { return value(); }                                \
+  };                                                                                         \
+  }                                                                                          \
+  namespace serialization {                                                                  \
+  template <>                                                                                \
+  struct Serializer<Type> {                                                                  \
+    template <typename Stream>                                                               \
+    static void write(Stream&, const Type&) {}                                               \
+    template <typename Stream>                                                               \
+    static void read(Stream&, Type&) {                                                       \
+      throw std::runtime_error(Name                                                          \
+                               " does not leave the nodelet manager: run this subscriber "   \
+                               "as a nodelet in the same manager");                          \
+    }                                                                                        \
+    static uint32_t serializedLength(const Type&) { return 0; }                              \
+  };                                                                                         \
+  }                                                                                          \
   }

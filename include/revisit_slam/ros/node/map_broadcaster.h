@@ -7,10 +7,10 @@
 #include <mutex>
 #include <optional>
 
+#include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/stamp.h"
-#include "revisit_slam/slam/slam_config.h"
 
 namespace revisit_slam {
 

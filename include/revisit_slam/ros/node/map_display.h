@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/types/map_correction.h"
 #include "revisit_slam/loops/search/loop_search_result.h"
+#include "revisit_slam/types/map_correction.h"
 
 namespace revisit_slam {
 

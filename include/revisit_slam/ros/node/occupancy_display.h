@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "revisit_slam/slam/graph_session.h"
 #include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/slam/graph_session.h"
 
 namespace revisit_slam {
 

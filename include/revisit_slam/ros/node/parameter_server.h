@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/util/parameters.h"
 #include "revisit_slam/slam/renamed_parameters.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
 
@@ -16,7 +16,8 @@ namespace revisit_slam {
 /// @throws ParameterError for a list.
 std::vector<NamedText> readParameterServer(const ros::NodeHandle& node);
 
-/// A struct of parameters as the server has it; warns of old names. @throws ParameterError (see assign)
+/// A struct of parameters as the server has it; warns of old names. @throws ParameterError (see
+/// assign)
 template <typename Config>
 Config loadConfig(const ros::NodeHandle& node) {
   Config config;

@@ -15,8 +15,8 @@
 
 namespace revisit_slam {
 
-/// Whether somebody advertises all these topics. The number of subscribers does not tell who listens:
-/// those of one process count as one.
+/// Whether somebody advertises all these topics. The number of subscribers does not tell who
+/// listens: those of one process count as one.
 inline bool areAdvertised(const ros::NodeHandle& node, const std::vector<std::string>& names) {
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);

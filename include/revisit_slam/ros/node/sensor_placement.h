@@ -15,13 +15,14 @@ namespace revisit_slam {
 /// Where sensors are on the robot, by TF. For one thread.
 class SensorPlacement {
  public:
-  /// `base_frame` empty: the frame of the first scan. `patience`: seconds to wait for the transform of a
-  /// frame that is seen for the first time.
+  /// `base_frame` empty: the frame of the first scan. `patience`: seconds to wait for the transform
+  /// of a frame that is seen for the first time.
   SensorPlacement(const std::string& base_frame, double patience)
       : base_frame_(base_frame), patience_(patience) {}
 
-  /// T_base_sensor, or nothing where the two frames are not connected. Follows a transform that changes, and
-  /// says so. Waits by wall clock, as simulated time may not run, until `stopping` returns true.
+  /// T_base_sensor, or nothing where the two frames are not connected. Follows a transform that
+  /// changes, and says so. Waits by wall clock, as simulated time may not run, until `stopping`
+  /// returns true.
   std::optional<Pose> find(const std::string& sensor_frame, const std::function<bool()>& stopping);
 
   /// That of the poses; empty before the first scan where it was given empty.
@@ -29,7 +30,8 @@ class SensorPlacement {
 
  private:
   std::optional<Pose> lookUp(const std::string& sensor_frame) const;
-  std::optional<Pose> waitFor(const std::string& sensor_frame, const std::function<bool()>& stopping);
+  std::optional<Pose> waitFor(const std::string& sensor_frame,
+                              const std::function<bool()>& stopping);
 
   std::string base_frame_;
   const double patience_;

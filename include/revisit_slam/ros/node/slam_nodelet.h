@@ -27,7 +27,8 @@ class SlamNodelet : public nodelet::Nodelet {
   /// First thing in destructors: nothing may call into an object while its parts go.
   void stopDiagnostics() { diagnostics_timer_.stop(); }
 
-  /// A thread for the work of the stage. What that throws is reported and counted, and the stage goes on.
+  /// A thread for the work of the stage. What that throws is reported and counted, and the stage
+  /// goes on.
   std::unique_ptr<ThreadLane> makeLane(int niceness);
   /// For diagnostics, where it is told once. Thread-safe.
   void noteError(const std::string& error);
