@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holds the tables of README.md against the code. UPDATE_README=1 writes the table of parameters.
+// Holds the tables of the documentation against the code. UPDATE_DOCS=1 writes the table of
+// parameters.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "revisit_slam/slam/slam_config.h"
 
@@ -46,6 +48,14 @@ std::string textOfFolder(const std::string& folder, const std::string& extension
   return text;
 }
 
+/// All pages of the documentation.
+std::vector<std::filesystem::path> pages() {
+  std::vector<std::filesystem::path> found{"README.md", "CONTRIBUTING.md"};
+  for (const auto& entry : std::filesystem::directory_iterator("docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
 /// Names with their groups of the parameters in cfg/*.cfg.
 std::set<std::string> liveParameters() {
   const std::map<std::string, std::string> places{{"recognition", "loops/recognition"}};
@@ -73,31 +83,45 @@ std::string parameterTable() {
 }
 
 TEST(Documentation, TheTableOfParametersIsThatOfTheCode) {
-  std::string readme = textOf("README.md");
+  const std::string path = "docs/parameters.md";
+  std::string page = textOf(path);
   const std::string begin_mark = "documentation_test.cpp) -->\n", end_mark = "<!-- parameters: end";
-  const std::size_t begin = readme.find(begin_mark) + begin_mark.size();
-  const std::size_t end = readme.find(end_mark);
+  const std::size_t mark = page.find(begin_mark), end = page.find(end_mark);
+  ASSERT_NE(mark, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  const std::size_t begin = mark + begin_mark.size();
   ASSERT_LE(begin, end);
-  if (std::getenv("UPDATE_README")) {
-    readme.replace(begin, end - begin, parameterTable());
-    std::ofstream("README.md") << readme;
+  if (std::getenv("UPDATE_DOCS")) {
+    page.replace(begin, end - begin, parameterTable());
+    std::ofstream(path) << page;
   } else {
-    EXPECT_EQ(readme.substr(begin, end - begin), parameterTable());
+    EXPECT_EQ(page.substr(begin, end - begin), parameterTable());
   }
 }
 
 TEST(Documentation, EveryTopicAndServiceStandsInATable) {
-  const std::string nodelets = textOfFolder("src/nodelets", ".cpp");
-  const std::set<std::string> documented = findAll(tableRows(textOf("README.md")), "`([\\w/]+)`");
-  const auto names =
-      findAll(nodelets, R"re((?:advertise|subscribe)(?:<[\w:]+>)?\(\s*"([\w/]+)")re");
-  ASSERT_GE(names.size(), 20u);
+  const std::string nodes =
+      textOfFolder("src/nodelets", ".cpp") + textOfFolder("src/ros/node", ".cpp");
+  const std::set<std::string> documented =
+      findAll(tableRows(textOf("docs/ros_interface.md")), "`([\\w/]+)`");
+  const auto names = findAll(nodes, R"re((?:advertise|subscribe)(?:<[\w:]+>)?\(\s*"([\w/]+)")re");
+  ASSERT_GE(names.size(), 25u);
   for (const std::string& name : names) EXPECT_EQ(documented.count(name), 1u) << name;
-  const auto services = findAll(nodelets, R"re(advertiseService\("(\w+)")re");
+  const auto services = findAll(nodes, R"re(advertiseService\("(\w+)")re");
   ASSERT_GE(services.size(), 4u);
   for (const std::string& service : services)
     EXPECT_EQ(documented.count("odometry/" + service) + documented.count("back_end/" + service), 1u)
         << service;
+}
+
+TEST(Documentation, EveryLiveParameterStandsAtItsNodelet) {
+  const std::string rows = tableRows(textOf("docs/ros_interface.md"));
+  for (const std::string& parameter : liveParameters()) {
+    const std::size_t slash = parameter.rfind('/');
+    const std::regex row("`\\w+/" + parameter.substr(0, slash) + "` \\|[^\n]*`" +
+                         parameter.substr(slash + 1) + "`");
+    EXPECT_TRUE(std::regex_search(rows, row)) << parameter;
+  }
 }
 
 TEST(Documentation, TheFirstCommandStandsWithin35Lines) {
@@ -108,9 +132,19 @@ TEST(Documentation, TheFirstCommandStandsWithin35Lines) {
   EXPECT_LT(number, 35);
 }
 
-TEST(Documentation, EveryHeaderOfTheSymbolTableExists) {
-  for (const std::string& header : findAll(textOf("README.md"), "`((?:\\w+/)+\\w+\\.h)`"))
-    EXPECT_TRUE(std::filesystem::exists("include/revisit_slam/" + header)) << header;
+TEST(Documentation, EveryHeaderThatAPageNamesExists) {
+  const std::string pattern = "`((?:\\w+/)+\\w+\\.h)`";
+  EXPECT_GE(findAll(textOf("docs/notation.md"), pattern).size(), 20u);
+  for (const auto& page : pages())
+    for (const std::string& header : findAll(textOf(page), pattern))
+      EXPECT_TRUE(std::filesystem::exists("include/revisit_slam/" + header))
+          << page << ": " << header;
+}
+
+TEST(Documentation, EveryLinkOfAPageLeadsToAFile) {
+  for (const auto& page : pages())
+    for (const std::string& link : findAll(textOf(page), "\\]\\(([^)#:\\s]+)[)#]"))
+      EXPECT_TRUE(std::filesystem::exists(page.parent_path() / link)) << page << ": " << link;
 }
 
 }  // namespace
