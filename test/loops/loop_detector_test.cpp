@@ -3,29 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "support/synthetic_street.h"
+#include "support/street_revisit.h"
 
 namespace revisit_slam {
 namespace {
 
-/// Out along a street, 300 m elsewhere, and back along it: two local maps of one place, which
-/// appearance does not recognise.
+/// Two local maps of one place, which appearance does not recognise.
 class LoopDetectorTest : public testing::Test {
  protected:
   LoopDetectorTest() : detector_(loops(), {}, {}) {
-    MapHierarchy hierarchy{MappingConfig{}};
-    SyntheticStreet out(5, 1), back(5, 2);
-    std::uint32_t id = 0;
-    const auto insert = [&](const Pose& T, SyntheticStreet& street) {
-      hierarchy.insert({id++}, {}, T, street.scan(T));
-    };
-    for (const Pose& T : drive(0, 50)) insert(T, out);
-    maps_.push_back(hierarchy.closeAll().local_map);
-    for (double y = 5.0; y <= 150.0; y += 5.0) insert(poseAt(1050, y), out);
-    maps_.push_back(hierarchy.closeAll().local_map);
-    for (const Pose& T : drive(52, 2, 2.0)) insert(T, back);
-    maps_.push_back(hierarchy.closeAll().local_map);
-    for (const LocalMapPtr& map : maps_) detector_.searchByAppearance(map);
+    for (const LocalMapPtr& map : streetRevisit()) detector_.searchByAppearance(map);
   }
 
   static LoopsConfig loops() {
@@ -46,7 +33,6 @@ class LoopDetectorTest : public testing::Test {
     detector_.correct(correction);
   }
 
-  std::vector<LocalMapPtr> maps_;
   LoopDetector detector_;
 };
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/loop_closing.h"
+
+#include <gtest/gtest.h>
+
+#include "support/street_revisit.h"
+
+namespace revisit_slam {
+namespace {
+
+class LoopClosingTest : public testing::Test {
+ protected:
+  LoopClosingTest() {
+    config_.loops.recognition.min_inliers = 10000;
+    // On its way elsewhere the drive jumps by a kilometre.
+    config_.retroactive.low_drift_window = 5000.0;
+  }
+
+  LoopClosing::Outputs outputs() {
+    LoopClosing::Outputs outputs;
+    outputs.search = [](const LoopSearchResult&) {};
+    outputs.closures = [this](const LoopClosures& closures) { closures_.push_back(closures); };
+    outputs.closed = [this](const MapsClosed& closed) { closed_.push_back(closed); };
+    outputs.problem = [](const std::string& problem) { FAIL() << problem; };
+    return outputs;
+  }
+
+  static MapCorrectionPtr answer(const LoopClosures& closures, LoopState state) {
+    auto correction = std::make_shared<MapCorrection>();
+    correction->request = closures.request;
+    for (const LoopConstraint& loop : closures.constraints) {
+      LoopEdge edge;
+      edge.loop = loop;
+      edge.state = state;
+      correction->loops.push_back(edge);
+    }
+    return correction;
+  }
+
+  const std::vector<LocalMapPtr> maps_ = streetRevisit();
+  SlamConfig config_;
+  std::vector<LoopClosures> closures_;
+  std::vector<MapsClosed> closed_;
+};
+
+TEST_F(LoopClosingTest, nothingIsBegunBeforeTheGraphHasAnswered) {
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  ASSERT_FALSE(closures_.empty());
+  ASSERT_FALSE(closures_.back().constraints.empty());
+  EXPECT_EQ(closures_.back().origin, LoopOrigin::retroactive);
+  EXPECT_GT(closures_.back().request, 0u);
+  EXPECT_EQ(closing.waiting(), 1u);
+  EXPECT_TRUE(closed_.empty());
+  closing.correct(answer(closures_.back(), LoopState::active));
+  ASSERT_EQ(closed_.size(), 1u);
+  EXPECT_EQ(closed_.front().request, 7u);
+  EXPECT_TRUE(closing.isIdle());
+}
+
+TEST_F(LoopClosingTest, anotherCorrectionIsNoAnswer) {
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  auto another = std::make_shared<MapCorrection>();  // a loop was disabled, say
+  closing.correct(another);
+  EXPECT_TRUE(closed_.empty());
+}
+
+TEST_F(LoopClosingTest, everyMapIsReportedWithoutLoopsToo) {
+  config_.loops.enabled = false;
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  std::size_t by_appearance = 0;
+  for (const LoopClosures& closures : closures_) {
+    EXPECT_TRUE(closures.constraints.empty());
+    EXPECT_EQ(closures.request, 0u);
+    by_appearance += closures.origin == LoopOrigin::appearance ? 1 : 0;
+  }
+  EXPECT_EQ(by_appearance, maps_.size());
+  EXPECT_TRUE(closing.isIdle());
+}
+
+}  // namespace
+}  // namespace revisit_slam
