@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/stamp_gate.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace revisit_slam {
+namespace {
+
+/// Periods between two scans that are no gap: one or two scans may be missing.
+constexpr double kPeriods = 3.5;
+/// The longest period fades by this factor a scan. Several sensors take turns with unequal periods.
+constexpr double kFading = 0.9;
+
+}  // namespace
 
 std::vector<StampGate::Decision> StampGate::take(ScanReading reading) {
   std::vector<Decision> decisions;
@@ -15,13 +24,17 @@ std::vector<StampGate::Decision> StampGate::take(ScanReading reading) {
     hold(std::move(reading), decisions);
   } else {
     refuseBehind(decisions);
-    if (last_ && secondsBetween(*last_, stamp) > max_gap_) {
+    if (last_ && isGap(secondsBetween(*last_, stamp))) {
       ahead_ = std::move(reading);
     } else {
       pass(std::move(reading), decisions);
     }
   }
   return decisions;
+}
+
+bool StampGate::isGap(double seconds) const {
+  return seconds > max_gap_ || (period_ > 0.0 && seconds > kPeriods * period_);
 }
 
 /// Time goes on from there: a gap. Else the stamp alone was ahead.
@@ -48,6 +61,8 @@ void StampGate::refuseBehind(std::vector<Decision>& decisions) {
 }
 
 void StampGate::pass(ScanReading reading, std::vector<Decision>& decisions) {
+  if (last_ && *last_ < reading.scan->stamp)
+    period_ = std::max(secondsBetween(*last_, reading.scan->stamp), kFading * period_);
   last_ = reading.scan->stamp;
   decisions.push_back({std::move(reading), "", {}});
 }
@@ -61,6 +76,7 @@ std::vector<StampGate::Decision> StampGate::flush() {
 
 void StampGate::restart() {
   last_.reset();
+  period_ = 0.0;
   ahead_.reset();
   behind_.clear();
 }

@@ -52,6 +52,27 @@ TEST_F(StampGateTest, oneStampAheadCostsThatScanAlone) {
   EXPECT_TRUE(restarts_.empty());
 }
 
+TEST_F(StampGateTest, aStampAFewPeriodsAheadCostsThatScanAlone) {
+  drive(100.0, 20);
+  take(102.0 + 0.8);  // one point's time was wrong
+  drive(102.1, 30);
+  EXPECT_EQ(passed_.size(), 50u);
+  EXPECT_EQ(refused_.size(), 1u);
+  EXPECT_TRUE(restarts_.empty());
+}
+
+TEST_F(StampGateTest, aMissingScanOrTwoIsNoGap) {
+  drive(100.0, 10);
+  take(101.1);
+  take(101.4);
+  EXPECT_EQ(passed_.size(), 12u);
+}
+
+TEST_F(StampGateTest, twoSensorsThatTakeTurnsAreNotHeld) {
+  for (int i = 0; i < 40; ++i) take(100.0 + 0.1 * (i / 2) + 0.01 * (i % 2));
+  EXPECT_EQ(passed_.size(), 40u);
+}
+
 TEST_F(StampGateTest, aGapCostsNothing) {
   drive(100.0, 5);
   drive(130.0, 5);

@@ -14,8 +14,9 @@ namespace revisit_slam {
 /// held until the scans after it have told.
 class StampGate {
  public:
-  /// `max_gap`: s, longer ones between two scans have to be confirmed by the next. `restart_after`:
-  /// so many scans in a row from before the newest, in order, are another clock.
+  /// A gap of more than a few periods between two scans, and one longer than `max_gap` (s) in any
+  /// case, has to be confirmed by the next scan. `restart_after`: so many scans in a row from
+  /// before the newest, in order, are another clock.
   StampGate(double max_gap, int restart_after)
       : max_gap_(max_gap), restart_after_(static_cast<std::size_t>(restart_after)) {}
 
@@ -38,6 +39,7 @@ class StampGate {
   std::size_t held() const { return behind_.size() + (ahead_ ? 1 : 0); }
 
  private:
+  bool isGap(double seconds) const;
   void judgeAhead(Stamp next, std::vector<Decision>& decisions);
   void hold(ScanReading reading, std::vector<Decision>& decisions);
   void refuseBehind(std::vector<Decision>& decisions);
@@ -45,7 +47,8 @@ class StampGate {
 
   double max_gap_;
   std::size_t restart_after_;
-  std::optional<Stamp> last_;         // that went on
+  std::optional<Stamp> last_;  // that went on
+  double period_ = 0.0;        // s, of late the longest between two that went on; 0: none yet
   std::optional<ScanReading> ahead_;  // after a gap
   std::vector<ScanReading> behind_;   // older than last_, in order
 };
