@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <boost/make_shared.hpp>
-#include <filesystem>
 #include <future>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -45,7 +44,7 @@ class BackEndNodelet : public SlamNodelet {
  private:
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
-    checkFolder();
+    requireFolder(config_.live);
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
     stage_ = std::make_unique<BackEnd>(
         config_, [this](const MapCorrectionPtr& correction) { publish(correction); });
@@ -86,16 +85,6 @@ class BackEndNodelet : public SlamNodelet {
         });
   }
 
-  void checkFolder() const {
-    const std::string& folder = config_.live.folder;
-    std::error_code error;
-    if (!folder.empty()) std::filesystem::create_directories(folder, error);
-    if (!error) return;
-    NODELET_FATAL("live/folder is '%s', but cannot be made: %s", folder.c_str(),
-                  error.message().c_str());
-    throw ParameterError("live/folder");
-  }
-
   // In the lane.
 
   void startDisplay() {
@@ -115,6 +104,7 @@ class BackEndNodelet : public SlamNodelet {
         return;
       case ScanOrder::first:
         occupancy_->clear();
+        if (!stage_->session()->problem().empty()) noteError(stage_->session()->problem());
         if (!stage_->session()->folder().empty())
           NODELET_INFO("writing to %s", stage_->session()->folder().c_str());
         draw();
@@ -135,17 +125,18 @@ class BackEndNodelet : public SlamNodelet {
   }
 
   void finish(const MapsClosed& closed) {
-    stage_->add(closed,
-                [this, request = closed.request](const GraphSession*, const std::string& problem) {
-                  if (!problem.empty()) noteError(problem);
-                  draw();
-                  services_->answer(request, problem);
-                });
+    stage_->add(closed, [this, request = closed.request](const GraphSession* session,
+                                                         const std::string& problem) {
+      services_->answer(request, problem);
+      if (session != nullptr && !problem.empty()) noteError(problem);
+    });
+    draw();
   }
 
   void publish(const MapCorrectionPtr& correction) {
-    broadcaster_->correct(correction->session, correction->T_map_odom);
     correction_publisher_.publish(toBoostPointer(correction));
+    if (correction->version == 0) return;
+    broadcaster_->correct(correction->session, correction->T_map_odom);
     status_.noteCorrection(*correction);
   }
 

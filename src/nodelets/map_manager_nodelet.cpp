@@ -113,7 +113,6 @@ class MapManagerNodelet : public SlamNodelet {
     const std::size_t accepted = search.accepted().size();
     loops_ += static_cast<int>(accepted);
     rejected_loops_ += static_cast<int>(search.proposals.size() - accepted);
-    maps_waiting_ = static_cast<int>(stage_->waiting());
     if (search.match && accepted > 0)
       NODELET_INFO("local map %u shows the place of %u: %zu loop constraints", search.map->id.value,
                    search.match->target.value, accepted);
@@ -124,7 +123,6 @@ class MapManagerNodelet : public SlamNodelet {
   void place(const MapCorrectionPtr& correction) {
     stage_->correct(correction);
     searching_->post([this, correction] {
-      maps_waiting_ = static_cast<int>(stage_->waiting());
       display_->place(correction);
       display_->draw();
     });
@@ -136,7 +134,10 @@ class MapManagerNodelet : public SlamNodelet {
     constexpr int most_waiting = 2;
     const MapManagerCount& count = stage_->count();
     const int missed = count.missed_scans, thinned = count.thinned_scans;
-    const bool is_behind = maps_waiting_ > most_waiting || thinned > reported_thinned_;
+    const int maps_waiting = count.maps_waiting;
+    const bool has_graph = correction_subscriber_.getNumPublishers() > 0;
+    if (maps_waiting > 0 && !has_graph) stage_->giveUpWaiting();
+    const bool is_behind = maps_waiting > most_waiting || thinned > reported_thinned_;
     status.level = is_behind || missed > reported_missed_ ? status.WARN : status.OK;
     status.message = is_behind                   ? "falling behind"
                      : missed > reported_missed_ ? "scans were missed; call odometry/reset"
@@ -148,7 +149,7 @@ class MapManagerNodelet : public SlamNodelet {
     addValue("scans missed", std::to_string(missed), status);
     addValue("scans without their points", std::to_string(thinned), status);
     addValue("submaps", std::to_string(submaps_), status);
-    addValue("local maps waiting", std::to_string(maps_waiting_), status);
+    addValue("local maps waiting", std::to_string(maps_waiting), status);
     addValue("loops accepted", std::to_string(loops_), status);
     addValue("loops rejected", std::to_string(rejected_loops_), status);
     addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
@@ -157,7 +158,7 @@ class MapManagerNodelet : public SlamNodelet {
   ros::Publisher maps_publisher_, closures_publisher_, closed_publisher_;
   std::unique_ptr<MapManager> stage_;
   std::unique_ptr<MapDisplay> display_;  // of the lane that searches
-  std::atomic<int> submaps_{0}, maps_waiting_{0}, loops_{0}, rejected_loops_{0};
+  std::atomic<int> submaps_{0}, loops_{0}, rejected_loops_{0};
   int reported_missed_ = 0, reported_thinned_ = 0;
 
   std::unique_ptr<ThreadLane> searching_, building_;

@@ -4,6 +4,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 #include <topic_tools/shape_shifter.h>
 
+#include <atomic>
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
@@ -39,7 +40,8 @@ class OdometryNodelet : public SlamNodelet {
  private:
   using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
   using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
-  using Message = std::variant<CloudPtr, LivoxPtr>;
+  struct Flush {};  // no further scan comes
+  using Message = std::variant<CloudPtr, LivoxPtr, Flush>;
 
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
@@ -75,12 +77,26 @@ class OdometryNodelet : public SlamNodelet {
   // In the thread of the queue.
 
   void handle(const Message& message) {
+    if (reset_requested_.exchange(false)) startSession();
+    std::visit([this](const auto& what) { take(what); }, message);
+  }
+
+  void take(Flush) {
+    std::vector<OdometryStage::Result> results;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      results = stage_->flush();
+    }
+    for (const OdometryStage::Result& result : results) finish(result);
+  }
+
+  template <typename Pointer>
+  void take(const Pointer& message) {
     StageClock clock;
-    ScanReading reading =
-        std::visit([this](const auto& pointer) { return reader_->read(*pointer); }, message);
+    ScanReading reading = reader_->read(*message);
     if (reading.scan) {
-      const std::optional<Pose> T_base_sensor =
-          placement_->find(reading.frame_id, [this] { return queue_->stopping(); });
+      const std::optional<Pose> T_base_sensor = placement_->find(
+          reading.frame_id, [this] { return queue_->stopping() || reset_requested_; });
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
       reading.scan->T_base_sensor = *T_base_sensor;
     }
@@ -92,7 +108,15 @@ class OdometryNodelet : public SlamNodelet {
     for (const OdometryStage::Result& result : results) finish(result);
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
-    scan_times_.add(clock.times().back().second);
+    if (!results.empty() && results.back().output.scan)
+      scan_times_.add(clock.times().back().second);
+  }
+
+  void startSession() {
+    placement_->restart();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stage_->startSession();
+    scan_times_ = {};
   }
 
   void finish(const OdometryStage::Result& result) {
@@ -144,9 +168,7 @@ class OdometryNodelet : public SlamNodelet {
   }
 
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stage_->startSession();
-    scan_times_ = {};
+    reset_requested_ = true;
     response.success = true;
     response.message = "the odometry starts anew at the next scan";
     return true;
@@ -155,6 +177,7 @@ class OdometryNodelet : public SlamNodelet {
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
     const std::lock_guard<std::mutex> lock(mutex_);
+    flushWhereNoneComes();
     const ScanAccount& account = stage_->account();
     const std::size_t dropped = account.droppedInAll();
     const bool newly_dropped = dropped > reported_drops_;
@@ -172,6 +195,13 @@ class OdometryNodelet : public SlamNodelet {
     addAccount(account, status);
   }
 
+  /// What was held at the last diagnostics too has waited long enough for the next scan.
+  void flushWhereNoneComes() {
+    const std::size_t received = stage_->account().received;
+    if (stage_->held() > 0 && received == received_before_) queue_->push(Flush{});
+    received_before_ = received;
+  }
+
   // Of the queue's thread.
   std::unique_ptr<ScanReader> reader_;
   std::unique_ptr<SensorPlacement> placement_;
@@ -185,8 +215,9 @@ class OdometryNodelet : public SlamNodelet {
   RegistrationResult last_registration_;
   double last_delay_ = 0.0;  // s
   RecentTimes scan_times_;
-  std::size_t reported_drops_ = 0;
+  std::size_t reported_drops_ = 0, received_before_ = 0;
 
+  std::atomic<bool> reset_requested_{false};
   ros::ServiceServer reset_service_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   ros::Subscriber points_subscriber_, livox_subscriber_;

@@ -14,14 +14,26 @@ ScanOrder BackEnd::add(const GraphNode& node) {
   if (order == ScanOrder::missed) return order;
   if (order == ScanOrder::first) startSession(node.id.session, node.stamp);
   session_->add(node);
+  forgetEnded();
   return order;
 }
 
 void BackEnd::startSession(SessionId id, Stamp start) {
-  if (session_) session_->writeGraph();
-  auto& session = sessions_[id];
-  session = std::make_unique<GraphSession>(id, config_, start, on_correction_);
+  auto session = std::make_unique<GraphSession>(id, config_, start, on_correction_);
   session_ = session.get();
+  sessions_[id] = std::move(session);
+}
+
+/// Never from within the work of a session.
+void BackEnd::forgetEnded() {
+  for (auto id = ended_.begin(); id != ended_.end();) {
+    if (session_ && session_->id() == *id) {
+      ++id;
+      continue;
+    }
+    sessions_.erase(*id);
+    id = ended_.erase(id);
+  }
 }
 
 GraphSession* BackEnd::find(SessionId id) const {
@@ -34,15 +46,19 @@ void BackEnd::add(const MapUpdate& update) {
 }
 
 void BackEnd::add(const LoopClosures& closures) {
-  if (GraphSession* session = find(closures.map.session)) session->add(closures);
+  if (GraphSession* session = find(closures.map.session)) return session->add(closures);
+  if (closures.constraints.empty()) return;
+  MapCorrection nothing;
+  nothing.session = closures.map.session;
+  nothing.request = closures.request;
+  on_correction_(std::make_shared<const MapCorrection>(std::move(nothing)));
 }
 
 void BackEnd::add(const MapsClosed& closed, const Done& done) {
   GraphSession* session = find(closed.session);
   if (!session) return done(nullptr, "there is nothing to finish");
-  const auto is_saved = std::make_shared<bool>(false);
-  session->after(closed.scans, [session, done, is_saved] {
-    *is_saved = true;
+  session->after(closed.scans, [this, session, closed, done] {
+    if (closed.request == 0) ended_.insert(closed.session);
     std::string problem;
     try {
       session->saveOwn();
@@ -51,7 +67,7 @@ void BackEnd::add(const MapsClosed& closed, const Done& done) {
     }
     done(session, problem);
   });
-  if (*is_saved && session != session_) sessions_.erase(closed.session);
+  forgetEnded();
 }
 
 void BackEnd::reconfigure(const BackEndConfig& config) {

@@ -15,6 +15,7 @@ StagedExecutor::StagedExecutor(const BackgroundConfig& config)
           [this](std::exception_ptr error) {
             const std::lock_guard<std::mutex> lock(mutex_);
             if (!error_) error_ = error;
+            lane_.discard();  // finish() throws it: the rest would be in vain
           },
           kMostWaiting) {}
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -33,8 +34,13 @@ GraphSession::GraphSession(SessionId id, const SlamConfig& config, Stamp start,
       graph_(config.backend),
       on_correction_(std::move(on_correction)) {
   if (config.live.folder.empty()) return;
-  folder_ = newFolder(config.live.folder, start);
-  files_.emplace(folder_, mapping_, occupancy_);
+  try {
+    folder_ = newFolder(config.live.folder, start);
+    files_.emplace(folder_, mapping_, occupancy_);
+  } catch (const std::exception& error) {
+    problem_ = error.what();
+    folder_.clear();
+  }
 }
 
 void GraphSession::add(const GraphNode& node) {
@@ -62,20 +68,38 @@ void GraphSession::after(std::size_t scans, std::function<void()> work) {
   doWhatIsDue();
 }
 
+/// All of it, whatever throws; the first that was thrown is thrown at the end.
 void GraphSession::doWhatIsDue() {
+  std::exception_ptr error;
   while (!later_.empty() && later_.front().scans <= graph_.size()) {
     const Later due = std::move(later_.front());
     later_.pop_front();
-    due.work();
+    try {
+      due.work();
+    } catch (...) {
+      if (!error) error = std::current_exception();
+    }
   }
+  if (error) std::rethrow_exception(error);
 }
 
+/// Answers in any case: the map manager waits for it.
 void GraphSession::optimise(ScanId last, const std::vector<LoopConstraint>& loops,
                             std::uint32_t request) {
-  const bool taken = graph_.optimise(last, loops);
-  ++count_.optimisations;
-  count_.seconds += graph_.lastSolution().seconds;
-  if (!taken) ++count_.rejected;
+  std::exception_ptr error;
+  try {
+    const bool taken = graph_.optimise(last, loops);
+    ++count_.optimisations;
+    count_.seconds += graph_.lastSolution().seconds;
+    if (!taken) ++count_.rejected;
+  } catch (...) {
+    error = std::current_exception();
+  }
+  answer(last, request);
+  if (error) std::rethrow_exception(error);
+}
+
+void GraphSession::answer(ScanId last, std::uint32_t request) {
   MapCorrection correction;
   correction.session = id_;
   correction.version = ++version_;
@@ -119,6 +143,14 @@ void GraphSession::save(const std::string& folder) {
 /// As finely as there is something: a session without files keeps the points of submaps alone.
 Points GraphSession::detailOf(const SubmapPtr& submap) const {
   return files_ ? files_->detail(submap->id) : submap->points;
+}
+
+void requireFolder(const LiveConfig& live) {
+  std::error_code error;
+  if (!live.folder.empty()) std::filesystem::create_directories(live.folder, error);
+  if (error)
+    throw ParameterError("live/folder is '" + live.folder +
+                         "', but cannot be made: " + error.message());
 }
 
 std::size_t activeLoops(const SlamGraph& graph) {

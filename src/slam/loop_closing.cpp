@@ -26,11 +26,18 @@ void LoopClosing::finish(const MapsClosed& closed) {
 }
 
 void LoopClosing::correct(const MapCorrectionPtr& correction) {
-  detector_.correct(correction);
-  if (!awaited_ || correction->request != awaited_->request) return;
+  if (correction->version > 0) detector_.correct(correction);
+  if (awaited_ && correction->request == awaited_->request) goOn();
+}
+
+void LoopClosing::giveUpWaiting() {
+  if (awaited_) goOn();
+}
+
+void LoopClosing::goOn() {
   const Awaited answered = std::move(*awaited_);
   awaited_.reset();
-  answered.then();
+  guarded(answered.then);
   advance();
 }
 
@@ -44,11 +51,18 @@ void LoopClosing::advance() {
   while (!awaited_ && !work_.empty()) {
     const Work next = std::move(work_.front());
     work_.pop_front();
-    try {
-      std::visit([this](const auto& work) { begin(work); }, next);
-    } catch (const std::exception& error) {
-      outputs_.problem(error.what());
-    }
+    guarded([&] { std::visit([this](const auto& work) { begin(work); }, next); });
+  }
+}
+
+/// What one search throws is reported; the next one follows.
+bool LoopClosing::guarded(const std::function<void()>& work) const {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& error) {
+    outputs_.problem(error.what());
+    return false;
   }
 }
 
@@ -71,16 +85,19 @@ void LoopClosing::begin(const MapsClosed& closed) {
   searchToTheEnd(closed);
 }
 
-/// As long as there are pairs that have not been tried; the graph moves between.
+/// As long as there are pairs that have not been tried; the graph moves between. Whatever happens,
+/// `closed` is passed on: others wait for it.
 void LoopClosing::searchToTheEnd(const MapsClosed& closed) {
-  while (detector_.hasClosedLoops()) {
-    const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_);
-    if (result.proposals.empty()) break;
-    const bool is_closed = !result.accepted().empty();
-    hand(result, [this, closed] { searchToTheEnd(closed); });
-    if (is_closed) return;
-  }
-  outputs_.closed(closed);
+  bool is_waiting = false;
+  guarded([&] {
+    while (detector_.hasClosedLoops() && !is_waiting) {
+      const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_);
+      if (result.proposals.empty()) return;
+      is_waiting = !result.accepted().empty();
+      hand(result, [this, closed] { searchToTheEnd(closed); });
+    }
+  });
+  if (!is_waiting) outputs_.closed(closed);
 }
 
 /// `then` follows when the graph has taken the loops, if there are any.
@@ -94,8 +111,8 @@ void LoopClosing::hand(const LoopSearchResult& result, std::function<void()> the
     closures.request = ++requests_;
     awaited_ = {closures.request, std::move(then)};
   }
-  outputs_.search(result);
   outputs_.closures(closures);
+  guarded([&] { outputs_.search(result); });
 }
 
 }  // namespace revisit_slam

@@ -44,7 +44,10 @@ void MapManager::build(const RegisteredScan& scan) {
       if (builder_) closeSession(0, scans_before);
       session_ = scan.id.session;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
-      searching_.post([this, session = session_] { outputs_.session(session); });
+      searching_.post([this, session = session_] {
+        newest_ = session;
+        outputs_.session(session);
+      });
       break;
     case ScanOrder::next:
       break;
@@ -82,20 +85,31 @@ void MapManager::reconfigure(const std::function<void(LoopsConfig&, RetroactiveC
   });
 }
 
-std::size_t MapManager::waiting() const {
-  std::size_t waiting = 0;
-  for (const auto& [session, closing] : closing_) waiting += closing.waiting();
-  return waiting;
+void MapManager::giveUpWaiting() {
+  searching_.post([this] {
+    for (auto& [session, closing] : closing_)
+      arena_.execute([&, &closing = closing] { closing.giveUpWaiting(); });
+    tidyUp();
+  });
 }
 
-/// A session that is over lives on here until its work is done.
 void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&)>& work) {
   searching_.post([this, session, work] {
     const auto entry = closing_.try_emplace(session, config_, outputs_.loops).first;
     arena_.execute([&] { work(entry->second); });
-    for (auto other = closing_.begin(); std::next(other) != closing_.end();)
-      other = other->second.isIdle() ? closing_.erase(other) : std::next(other);
+    tidyUp();
   });
+}
+
+/// A session that is over lives on until its work is done.
+void MapManager::tidyUp() {
+  std::size_t waiting = 0;
+  for (auto entry = closing_.begin(); entry != closing_.end();) {
+    waiting += entry->second.waiting();
+    const bool is_over = entry->first != newest_ && entry->second.isIdle();
+    entry = is_over ? closing_.erase(entry) : std::next(entry);
+  }
+  count_.maps_waiting = static_cast<int>(waiting);
 }
 
 }  // namespace revisit_slam

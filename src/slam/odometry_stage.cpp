@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/odometry_stage.h"
 
+#include <exception>
 #include <utility>
 
 namespace revisit_slam {
@@ -37,7 +38,11 @@ std::vector<OdometryStage::Result> OdometryStage::process(
       continue;
     }
     if (decision.went_back) beginSession();
-    results.push_back(registerScan(std::move(decision.reading)));
+    try {
+      results.push_back(registerScan(std::move(decision.reading)));
+    } catch (const std::exception& error) {  // those before it are registered, and go on
+      results.push_back(reject("error", error.what()));
+    }
     if (decision.went_back)
       results.back().notice = "the stamps went back by " + std::to_string(*decision.went_back) +
                               " s: a new session begins";
@@ -78,6 +83,7 @@ std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const Registere
 void OdometryStage::countDropped(const std::string& reason) {
   ++account_.received;
   ++account_.dropped[reason];
+  gate_.expectGap();
 }
 
 void OdometryStage::startSession() {

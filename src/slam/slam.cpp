@@ -14,13 +14,14 @@ Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor)
       information_(config.information),
       back_end_(config,
                 [this](const MapCorrectionPtr& correction) {
-                  observer_.onCorrection(correction);
+                  if (correction->version > 0) observer_.onCorrection(correction);
                   maps_.correct(correction);
                 }),
       maps_(config, foreground_, executor.background(), outputsOfMaps()) {}
 
-/// What waits in the background speaks to the stages.
+/// What waits in the background speaks to the stages. After finish() there is nothing.
 Slam::~Slam() {
+  executor_.background().discard();
   executor_.background().drain();
 }
 
@@ -38,7 +39,9 @@ MapManager::Outputs Slam::outputsOfMaps() {
   outputs.loops.closed = [this](const MapsClosed& closed) {
     executor_.background().post([this, closed] { end(closed); });
   };
-  outputs.loops.problem = [](const std::string& problem) { throw std::runtime_error(problem); };
+  outputs.loops.problem = [this](const std::string& problem) {
+    executor_.background().post([problem] { throw std::runtime_error(problem); });
+  };
   return outputs;
 }
 
@@ -62,8 +65,10 @@ void Slam::take(const OdometryStage::Result& result, StageTimes times) {
 
 void Slam::insert(const InformedScan& informed) {
   if (!with_maps_) return;
-  maps_.insert(informed.scan);
+  has_scans_ = true;
+  // First the node: the maps of the session before may end with this scan.
   executor_.background().post([this, node = nodeOf(informed)] { back_end_.add(node); });
+  maps_.insert(informed.scan);
 }
 
 void Slam::end(const MapsClosed& closed) {
@@ -75,7 +80,7 @@ void Slam::end(const MapsClosed& closed) {
 
 void Slam::finish() {
   for (const OdometryStage::Result& result : odometry_.flush()) take(result, {});
-  if (with_maps_ && odometry_.account().processed > 0) maps_.close(0);
+  if (has_scans_) maps_.close(0);
   executor_.finish();
 }
 

@@ -34,7 +34,8 @@ std::vector<StampGate::Decision> StampGate::take(ScanReading reading) {
 }
 
 bool StampGate::isGap(double seconds) const {
-  return seconds > max_gap_ || (period_ > 0.0 && seconds > kPeriods * period_);
+  if (seconds > max_gap_) return true;
+  return !gap_is_expected_ && (period_ > 0.0 && seconds > kPeriods * period_);
 }
 
 /// Time goes on from there: a gap. Else the stamp alone was ahead.
@@ -64,6 +65,7 @@ void StampGate::pass(ScanReading reading, std::vector<Decision>& decisions) {
   if (last_ && *last_ < reading.scan->stamp)
     period_ = std::max(secondsBetween(*last_, reading.scan->stamp), kFading * period_);
   last_ = reading.scan->stamp;
+  gap_is_expected_ = false;
   decisions.push_back({std::move(reading), "", {}});
 }
 

@@ -8,6 +8,7 @@
 namespace revisit_slam {
 
 void InlineLane::post(Task task) {
+  if (discarding_) return;
   tasks_.push_back(std::move(task));
   if (running_) return;
   struct Running {
@@ -34,6 +35,7 @@ void ThreadLane::post(Task task) {
 }
 
 void ThreadLane::run(const Task& task) const {
+  if (discarding_) return;
   try {
     task();
   } catch (...) {

@@ -91,8 +91,28 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   back_end_.add(MapsClosed{kFirst, 20, 0},
                 [&](const GraphSession*, const std::string& problem) { answer = problem; });
   EXPECT_EQ(answer, "");
-  back_end_.add(closure(0, 19, 2));  // nobody is there any more
-  EXPECT_EQ(corrections_.size(), 1u);
+  back_end_.add(
+      closure(0, 19, 2));  // it has ended: an answer all the same, as somebody waits for it
+  ASSERT_EQ(corrections_.size(), 2u);
+  EXPECT_EQ(corrections_.back()->version, 0u);
+  EXPECT_EQ(corrections_.back()->request, 2u);
+}
+
+TEST_F(BackEndTest, finishingWhenASessionHasBegunDoesNotEndTheOneBefore) {
+  drive(0, 20);
+  drive(0, 5, kSecond);
+  back_end_.add(MapsClosed{kFirst, 20, 4}, [](const GraphSession*, const std::string&) {});
+  back_end_.add(closure(0, 19, 1));
+  ASSERT_EQ(corrections_.size(), 1u);
+  EXPECT_EQ(corrections_.front()->version, 1u);
+}
+
+TEST_F(BackEndTest, whereFilesCannotBeWrittenTheGraphGoesOnAndSaysSo) {
+  config_.live.folder = "/proc/nowhere";
+  BackEnd back_end(config_, [](const MapCorrectionPtr&) {});
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_NE(back_end.add(node(i)), ScanOrder::missed);
+  EXPECT_EQ(back_end.session()->graph().size(), 5u);
+  EXPECT_NE(back_end.session()->problem().find("/proc/nowhere"), std::string::npos);
 }
 
 TEST_F(BackEndTest, scansAfterAGapAreOfNoUse) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "support/street_revisit.h"
 
 namespace revisit_slam {
@@ -27,6 +29,7 @@ class LoopClosingTest : public testing::Test {
 
   static MapCorrectionPtr answer(const LoopClosures& closures, LoopState state) {
     auto correction = std::make_shared<MapCorrection>();
+    correction->version = 1;
     correction->request = closures.request;
     for (const LoopConstraint& loop : closures.constraints) {
       LoopEdge edge;
@@ -66,6 +69,39 @@ TEST_F(LoopClosingTest, anotherCorrectionIsNoAnswer) {
   auto another = std::make_shared<MapCorrection>();  // a loop was disabled, say
   closing.correct(another);
   EXPECT_TRUE(closed_.empty());
+}
+
+TEST_F(LoopClosingTest, withoutAGraphItGoesOn) {
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  closing.giveUpWaiting();
+  EXPECT_EQ(closed_.size(), 1u);
+  EXPECT_TRUE(closing.isIdle());
+}
+
+TEST_F(LoopClosingTest, aGraphThatDoesNotKnowTheSessionIsAnAnswer) {
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  auto unknown = std::make_shared<MapCorrection>();
+  unknown->request = closures_.back().request;
+  closing.correct(unknown);
+  EXPECT_EQ(closed_.size(), 1u);
+}
+
+TEST_F(LoopClosingTest, whatASearchThrowsIsReportedAndTheRestFollows) {
+  LoopClosing::Outputs throwing = outputs();
+  std::vector<std::string> problems;
+  throwing.problem = [&](const std::string& problem) { problems.push_back(problem); };
+  throwing.search = [](const LoopSearchResult&) { throw std::runtime_error("cannot draw"); };
+  LoopClosing closing(config_, throwing);
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  closing.giveUpWaiting();
+  EXPECT_EQ(closed_.size(), 1u);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems.front(), "cannot draw");
 }
 
 TEST_F(LoopClosingTest, everyMapIsReportedWithoutLoopsToo) {

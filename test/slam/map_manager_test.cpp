@@ -21,6 +21,7 @@ class HeldLane : public Lane {
       task();
     }
   }
+  void discard() override { tasks_.clear(); }
   std::size_t waiting() const override { return tasks_.size(); }
 
  private:

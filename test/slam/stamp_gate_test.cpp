@@ -80,6 +80,16 @@ TEST_F(StampGateTest, aGapCostsNothing) {
   EXPECT_TRUE(refused_.empty());
 }
 
+TEST_F(StampGateTest, anExpectedGapOfSomePeriodsNeedsNoConfirmation) {
+  drive(100.0, 5);
+  gate_.expectGap();
+  take(101.2);
+  EXPECT_EQ(passed_.size(), 6u);
+  gate_.expectGap();
+  take(604800.0);
+  EXPECT_EQ(gate_.held(), 1u);
+}
+
 TEST_F(StampGateTest, scansFarBetweenAllGoOn) {
   for (int i = 0; i < 10; ++i) take(100.0 + 2.0 * i);
   EXPECT_EQ(passed_.size(), 9u);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "revisit_slam/slam/graph_session.h"
@@ -31,7 +32,8 @@ class BackEnd {
   /// Gets the session, null if there is none, and nothing or what is wrong.
   using Done = std::function<void(const GraphSession*, const std::string& problem)>;
 
-  /// Writes what belongs to the session when its scans are all there, and then calls `done`.
+  /// Writes what belongs to the session when its scans are all there, and then calls `done`. Ends
+  /// the session where another one has begun (MapsClosed::request 0).
   void add(const MapsClosed& closed, const Done& done);
 
   void reconfigure(const BackEndConfig& config);
@@ -42,6 +44,7 @@ class BackEnd {
 
  private:
   void startSession(SessionId id, Stamp start);
+  void forgetEnded();
   GraphSession* find(SessionId id) const;
 
   SlamConfig config_;
@@ -49,6 +52,7 @@ class BackEnd {
   SessionOrder order_;
   std::map<SessionId, std::unique_ptr<GraphSession>>
       sessions_;                     // that are not closed, and the newest
+  std::set<SessionId> ended_;        // whose maps are closed and searched
   GraphSession* session_ = nullptr;  // the newest
 };
 

@@ -29,7 +29,8 @@ class GraphSession {
  public:
   using OnCorrection = std::function<void(const MapCorrectionPtr&)>;
 
-  /// With a folder for drives (live/folder) it writes into a new one in it, named by `start`.
+  /// With a folder for drives (live/folder) it writes into a new one in it, named by `start`. Where
+  /// that cannot be made it goes on without files, and problem() says why.
   GraphSession(SessionId id, const SlamConfig& config, Stamp start, OnCorrection on_correction);
 
   SessionId id() const { return id_; }
@@ -60,9 +61,11 @@ class GraphSession {
   const std::vector<SubmapOccupancyPtr>& occupancies() const { return occupancies_; }
   /// Empty: nothing is written unless asked for.
   const std::string& folder() const { return folder_; }
+  const std::string& problem() const { return problem_; }
 
  private:
   void optimise(ScanId last, const std::vector<LoopConstraint>& loops, std::uint32_t request);
+  void answer(ScanId last, std::uint32_t request);
   void doWhatIsDue();
   Points detailOf(const SubmapPtr& submap) const;
 
@@ -77,7 +80,7 @@ class GraphSession {
 
   std::vector<SubmapPtr> submaps_;  // by number
   std::vector<SubmapOccupancyPtr> occupancies_;
-  std::string folder_;
+  std::string folder_, problem_;
   std::optional<SlamFiles> files_;
 
   struct Later {
@@ -86,6 +89,9 @@ class GraphSession {
   };
   std::deque<Later> later_;
 };
+
+/// Makes live/folder. @throws ParameterError where that is not possible.
+void requireFolder(const LiveConfig& live);
 
 /// How many loop constraints take part in the graph.
 std::size_t activeLoops(const SlamGraph& graph);

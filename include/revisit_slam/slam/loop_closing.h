@@ -40,6 +40,8 @@ class LoopClosing {
   void finish(const MapsClosed& closed);
   /// The graph's answer, or another correction.
   void correct(const MapCorrectionPtr& correction);
+  /// There is no graph that could answer.
+  void giveUpWaiting();
 
   /// Local maps that have not been searched wholly.
   std::size_t waiting() const;
@@ -54,6 +56,8 @@ class LoopClosing {
   };
 
   void advance();
+  void goOn();
+  bool guarded(const std::function<void()>& work) const;
   void begin(const LocalMapPtr& map);
   void begin(const MapsClosed& closed);
   void searchAfterAnswer();

@@ -21,6 +21,7 @@ namespace revisit_slam {
 /// How much the map manager has done. Of its two lanes.
 struct MapManagerCount {
   std::atomic<int> missed_scans{0};   ///< of no use, as scans before them were missed
+  std::atomic<int> maps_waiting{0};   ///< local maps that have not been searched wholly
   std::atomic<int> thinned_scans{0};  ///< in the trajectories of submaps, but without their points
 };
 
@@ -52,15 +53,17 @@ class MapManager {
   void correct(const MapCorrectionPtr& correction);
   void reconfigure(const std::function<void(LoopsConfig&, RetroactiveConfig&)>& change);
 
+  /// There is no graph that could answer: goes on without.
+  void giveUpWaiting();
+
   const MapManagerCount& count() const { return count_; }
-  /// In the lane that searches: local maps that have not been searched wholly.
-  std::size_t waiting() const;
 
  private:
   void build(const RegisteredScan& scan);
   void hand(MapUpdate update);
   void closeSession(std::uint32_t request, std::uint32_t scans);
   void inLane(SessionId session, const std::function<void(LoopClosing&)>& work);
+  void tidyUp();
 
   const MappingConfig mapping_;
   const OccupancyConfig occupancy_;
@@ -75,8 +78,9 @@ class MapManager {
 
   // In the lane that searches.
   tbb::task_arena arena_;
-  SlamConfig config_;                         // in force
-  std::map<SessionId, LoopClosing> closing_;  // the newest session, and those with work left
+  SlamConfig config_;  // in force
+  SessionId newest_;
+  std::map<SessionId, LoopClosing> closing_;  // of the newest session, and those with work left
 };
 
 }  // namespace revisit_slam

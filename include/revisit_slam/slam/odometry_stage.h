@@ -44,7 +44,7 @@ class OdometryStage {
   /// What became of readings that wait to be confirmed, as no further one comes.
   std::vector<Result> flush();
 
-  /// Counts a message that never became a reading.
+  /// Counts a message that never became a reading. A gap in the stamps is no wonder then.
   void countDropped(const std::string& reason);
 
   /// The next scan is the first of another session, in an odometry frame of its own; the account

@@ -43,6 +43,7 @@ class Slam {
   SlamObserver& observer_;
   Executor& executor_;
   const bool with_maps_;
+  bool has_scans_ = false;
   OdometryStage odometry_;
   InformationStage information_;
   BackEnd back_end_;

@@ -33,6 +33,10 @@ class StampGate {
   /// No scan comes after those held.
   std::vector<Decision> flush();
 
+  /// Scans before the next one are known to be missing: a gap of some periods needs no
+  /// confirmation.
+  void expectGap() { gap_is_expected_ = true; }
+
   /// The next scan follows none.
   void restart();
 
@@ -49,6 +53,7 @@ class StampGate {
   std::size_t restart_after_;
   std::optional<Stamp> last_;  // that went on
   double period_ = 0.0;        // s, of late the longest between two that went on; 0: none yet
+  bool gap_is_expected_ = false;
   std::optional<ScanReading> ahead_;  // after a gap
   std::vector<ScanReading> behind_;   // older than last_, in order
 };

@@ -13,7 +13,8 @@ namespace revisit_slam {
 /// What an optimisation made of the map: one numbered, immutable snapshot (paper Sec. III-D).
 struct MapCorrection {
   SessionId session;
-  std::uint32_t version = 0;  ///< counts from 1
+  /// Counts from 1. 0: the graph does not know the session, and says no more than that.
+  std::uint32_t version = 0;
   /// The loop closures that it answers (LoopClosures::request); 0: it was asked for otherwise.
   std::uint32_t request = 0;
   /// Poses by ScanId, as far as the optimised graph went.

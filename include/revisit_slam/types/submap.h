@@ -31,7 +31,8 @@ struct Submap {
   Points normals;
 
   ScanId lastScan() const {
-    return {first_scan.value + static_cast<std::uint32_t>(T_submap_scan.size()) - 1};
+    return {first_scan.value + static_cast<std::uint32_t>(T_submap_scan.size()) - 1,
+            first_scan.session};
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <exception>
@@ -21,6 +22,8 @@ class Lane {
   virtual void post(Task task) = 0;
   /// Returns when everything that was posted, and what that posted in turn, is done.
   virtual void drain() = 0;
+  /// Leaves what waits undone, and whatever is posted from here on.
+  virtual void discard() = 0;
   virtual std::size_t waiting() const = 0;
 };
 
@@ -30,11 +33,15 @@ class InlineLane final : public Lane {
  public:
   void post(Task task) override;
   void drain() override {}
+  void discard() override {
+    discarding_ = true;
+    tasks_.clear();
+  }
   std::size_t waiting() const override { return tasks_.size(); }
 
  private:
   std::deque<Task> tasks_;
-  bool running_ = false;
+  bool running_ = false, discarding_ = false;
 };
 
 /// Does tasks in a thread of its own. What a task throws ends with it: `on_error` gets it, and the
@@ -50,6 +57,7 @@ class ThreadLane final : public Lane {
 
   void post(Task task) override;
   void drain() override { queue_.drain(); }
+  void discard() override { discarding_ = true; }
   std::size_t waiting() const override { return queue_.waiting(); }
 
   /// Ends after the task at hand; what waits is left.
@@ -59,6 +67,7 @@ class ThreadLane final : public Lane {
   void run(const Task& task) const;
 
   const OnError on_error_;
+  std::atomic<bool> discarding_{false};
   WorkQueue<Task> queue_;  // last: its thread uses the above
 };
 

@@ -45,20 +45,20 @@ class ClosureRecorder : public SlamObserver {
       closure.search = search;
       closure.recognition_ms = timeOf(search.times, "recognition");
       closure.registration_ms = timeOf(search.times, "registration");
-      is_open_ = true;
-    } else if (is_open_) {
+      searches_ = 1;
+    } else if (++searches_ == 2) {
       maps_.back().retroactive = search.proposals;
       maps_.back().retroactive_ms = timeOf(search.times, "retroactive");
     } else {
       at_the_end_.insert(at_the_end_.end(), search.proposals.begin(), search.proposals.end());
-      return;
     }
     noteCpu();
-    if (search.origin == LoopOrigin::retroactive) is_open_ = false;
   }
 
   void onCorrection(const MapCorrectionPtr& correction) override {
-    if (is_open_) maps_.back().optimisation_ms += 1e3 * correction->seconds;
+    if (searches_ > 2) return;
+    maps_.back().optimisation_ms += 1e3 * correction->seconds;
+    noteCpu();
   }
 
   ClosedDrive take(const GraphSession& session) {
@@ -68,6 +68,7 @@ class ClosureRecorder : public SlamObserver {
 
  private:
   void noteCpu() {
+    if (searches_ > 2) return;
     MapClosure& closure = maps_.back();
     closure.cpu_ms = 1e3 * (processCpuSeconds() - cpu_before_) - closure.optimisation_ms;
   }
@@ -75,7 +76,7 @@ class ClosureRecorder : public SlamObserver {
   std::vector<MapClosure> maps_;
   std::vector<LoopProposal> at_the_end_;
   double cpu_before_ = 0.0;
-  bool is_open_ = false;  // the newest map has not been searched retroactively
+  int searches_ = 0;  // since the newest map was closed
 };
 
 Pose poseAt(const PoseInterpolator& truth, Stamp stamp) {

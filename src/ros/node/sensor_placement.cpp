@@ -19,6 +19,11 @@ bool differ(const Pose& a, const Pose& b) {
 
 }  // namespace
 
+void SensorPlacement::restart() {
+  base_frame_ = given_base_frame_;
+  placed_.clear();
+}
+
 std::optional<Pose> SensorPlacement::find(const std::string& sensor_frame,
                                           const std::function<bool()>& stopping) {
   if (base_frame_.empty()) base_frame_ = sensor_frame;

@@ -11,11 +11,11 @@ namespace revisit_slam {
 void SlamNodelet::onInit() {
   try {
     config_ = loadConfig<SlamConfig>(getPrivateNodeHandle());
+    start();
   } catch (const ParameterError& error) {
     NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
     throw;
   }
-  start();
   ros::NodeHandle& node = getNodeHandle();
   diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
   diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),

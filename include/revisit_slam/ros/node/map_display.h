@@ -28,7 +28,7 @@ class MapDisplay {
   void add(const LoopSearchResult& search);
   /// One of another session places nothing.
   void place(const MapCorrectionPtr& correction) {
-    if (correction->session == session_) correction_ = correction;
+    if (correction->session == session_ && correction->version > 0) correction_ = correction;
   }
   void draw() const;
 

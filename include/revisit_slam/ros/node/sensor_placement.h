@@ -18,7 +18,10 @@ class SensorPlacement {
   /// `base_frame` empty: the frame of the first scan. `patience`: seconds to wait for the transform
   /// of a frame that is seen for the first time.
   SensorPlacement(const std::string& base_frame, double patience)
-      : base_frame_(base_frame), patience_(patience) {}
+      : base_frame_(base_frame), given_base_frame_(base_frame), patience_(patience) {}
+
+  /// The next scan is the first again.
+  void restart();
 
   /// T_base_sensor, or nothing where the two frames are not connected. Follows a transform that
   /// changes, and says so. Waits by wall clock, as simulated time may not run, until `stopping`
@@ -34,6 +37,7 @@ class SensorPlacement {
                               const std::function<bool()>& stopping);
 
   std::string base_frame_;
+  const std::string given_base_frame_;
   const double patience_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_{buffer_};
