@@ -10,8 +10,10 @@ namespace revisit_slam {
 
 /// What is expected of the base between the previous scan and an instant.
 struct PredictedMotion {
-  Pose T_previous_base;     ///< the base at the instant, in its frame at the previous scan
-  ConstantMotion velocity;  ///< while the scan is taken: what it is deskewed with
+  Pose T_previous_base;  ///< the base at the instant, in its frame at the previous scan
+  /// What the scan is deskewed with. Without a gap T_previous_base is velocity.after(seconds): the
+  /// deskew correction takes times as fractions of that.
+  ConstantMotion velocity;
   /// From the previous scan, in whole, however far the motion is extrapolated; 0: there is none.
   double seconds = 0.0;
   /// Whether motion was seen before, and lately: what the prediction misses then says something
@@ -28,7 +30,8 @@ class MotionPredictor {
 
   virtual PredictedMotion predict(Stamp stamp) const = 0;
 
-  /// The base was found at this pose. Stamps ascend.
+  /// The base is held to be at this pose: registered or, where too little matched, as predicted.
+  /// Stamps ascend.
   virtual void observe(Stamp stamp, const Pose& T_odom_base) = 0;
 
   /// Takes over what may change between two scans.

@@ -18,8 +18,11 @@ namespace revisit_slam {
 ///   3. name the struct here.
 ///
 /// Cost, solver, chain reduction and gauge then handle it. One that binds a single node counts as
-/// absolute: it can hold a part of the graph in the map (gauge.h). One that binds several must not
-/// change when these are moved together.
+/// absolute: it can hold a part of the graph in the map (gauge.h). Unless the absolute factors of a
+/// part determine all six directions together, its first node is held whole; the map's z axis is
+/// that of the first scan's base then, and need not point up. One that binds several must not
+/// change when these are moved together. A node that such a factor binds is kept by the chain
+/// reduction.
 using Measurement = std::variant<RelativePoseFactor, PositionFactor>;
 
 /// The nodes that a factor binds, as a range.

@@ -18,6 +18,7 @@ using AcceptancePolicy = std::vector<Gate>;
 ///  1. write it in registration_gates.h, or in a header of its own if it looks at several pairs;
 ///  2. put its limit into LoopCloserConfig, if a user should set it;
 ///  3. add it to the lists in acceptance_policy.cpp.
+/// The test of the lists and the table of gates in docs/loops.md follow.
 /// Its name then stands in loops.json, the tables of benchmark_loops and rviz.
 AcceptancePolicy acceptancePolicy(LoopOrigin origin, const LoopCloserConfig& config);
 

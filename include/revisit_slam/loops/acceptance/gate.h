@@ -13,7 +13,8 @@
 namespace revisit_slam {
 
 /// A registered pair of submaps as gates see it. The common frame is one that all pairs of the same
-/// two local maps share.
+/// two local maps share: that of the target local map (appearance), which may be tilted, or the map
+/// (retroactive).
 struct RegisteredPair {
   Pose T_common_target;  ///< before the registration
   Pose T_common_source;
