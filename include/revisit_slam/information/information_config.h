@@ -22,30 +22,49 @@ struct InformationConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("enabled", enabled, "false: every odometry edge has the identity as information (ablation)");
-    v("samples", samples, Range{42, 1000}, "", "evaluations of the objective per scan");
+    v("enabled", enabled,
+      "true: odometry edges have the information that the ICP objective of their scan gives; "
+      "false: the identity (ablation)");
+    v("samples", samples, Range{42, 1000}, "",
+      "number of perturbed poses at which the ICP objective of a scan is evaluated. Raise it if "
+      "the information changes much from scan to scan; lower it if estimating the information "
+      "takes too long");
     v("translation_range", translation_range, Range{1e-3, 1.0}, "m",
-      "perturbations reach this far along each axis");
+      "largest perturbation along each axis of the base frame. Raise it if noise of the points "
+      "disturbs the information; lower it if the surroundings are narrow");
     v("rotation_range", rotation_range, Range{1e-4, 0.1}, "rad",
-      "perturbations reach this far about each axis");
-    v("full", full, "all 6x6 second derivatives instead of the two 3x3 blocks");
+      "largest perturbation about each axis of the base frame. Raise it if noise of the points "
+      "disturbs the information; lower it if most points are far from the sensor");
+    v("full", full,
+      "true: all 6x6 second derivatives of the objective; false: two 3x3 blocks, for translation "
+      "and rotation apart");
     v("max_points", max_points, Range{100, 1000000}, "",
-      "of more registered points an evenly spread subset is sampled");
+      "largest number of registered points that the information is estimated from; of more an "
+      "evenly spread subset. Raise it if the information of weak directions is imprecise; lower "
+      "it if estimating the information takes too long");
     v("min_eigenvalue", min_eigenvalue, Range{1e-12, 1e3}, "",
-      "smaller eigenvalues are raised to it");
+      "smallest eigenvalue of the information of an edge; smaller ones are raised to this value. "
+      "Raise it if the graph comes apart at single edges; lower it if edges are too stiff in "
+      "directions that scans do not constrain");
     v("min_eigenvalue_share", min_eigenvalue_share, Range{0.0, 1.0}, "",
-      "so are those below this share of the largest of their block: what the samples can tell "
-      "apart");
+      "smallest eigenvalue as a share of the largest of the same 3x3 block; smaller ones are "
+      "raised to this share. Raise it if the graph comes apart at single edges (bridges); lower "
+      "it if loops correct drift along weak directions too little");
     v("weak_ratio", weak_ratio, Range{0.0, 1.0}, "",
-      "a direction is weak below this share of the largest eigenvalue of its block");
+      "share of the largest eigenvalue of the same 3x3 block below which a direction is reported "
+      "as weak. Raise it if weak directions are not reported; lower it if well constrained "
+      "directions are reported");
     v("calibration", calibration, Range{1e-3, 1e6}, "",
-      "factor on the covariance of a registration, measured against ground truth");
+      "factor on the published covariance of a registration, measured against ground truth. Raise "
+      "it if errors are larger than the covariance predicts; lower it if errors are smaller");
     v("deskew_share", deskew_share, Range{0.0, 10.0}, "",
-      "share of the mean change of the deskewing's error that is the deviation of a motion, "
-      "measured "
-      "likewise");
+      "standard deviation that deskewing adds to a motion, as a share of the mean change of the "
+      "deskewing error between scans. Raise it if the published covariance is too small in uneven "
+      "motion; lower it if the covariance is too large there");
     v("max_waiting", max_waiting, Range{1, 10000}, "scans",
-      "live: with more scans waiting the information of the scan before is repeated, and counted");
+      "largest number of scans that may wait live for their information; with more, the estimate "
+      "of the scan before is repeated, and counted. Raise it if load comes in short bursts; lower "
+      "it if odometry messages come late");
   }
 };
 

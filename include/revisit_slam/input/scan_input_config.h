@@ -21,20 +21,27 @@ struct ScanInputConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("time_field", time_field, Choices{}, "",
-      "auto: by name and content; none: no deskewing; azimuth: from the direction of the points of "
-      "a spinning sensor; else the name of the field");
-    v("time_unit", time_unit, Choices{"auto", "s", "ms", "us", "ns"}, "", "unit of the time field");
+      "field with the times of the points. auto: found by name and content; none: no deskewing; "
+      "azimuth: times from the directions of the points of a spinning sensor; any other text: the "
+      "name of the field");
+    v("time_unit", time_unit, Choices{"auto", "s", "ms", "us", "ns"}, "",
+      "unit of the time field; auto: found from the name, type and values of the field");
     v("time_origin", time_origin, Choices{"auto", "absolute", "relative"}, "",
-      "absolute: since the epoch; relative: since the header stamp");
+      "where the times of the points count from. absolute: the epoch; relative: the header stamp; "
+      "auto: found from the values");
     v("header_stamp", header_stamp, Choices{"auto", "first", "middle", "last"}, "",
-      "which point of the sweep the header stamp belongs to, for times that are not absolute; "
-      "auto: "
-      "the point of time zero, with azimuth the last point");
+      "point of the sweep that the header stamp belongs to (first, middle or last), for times "
+      "that are not absolute; auto: the point of time zero, with time_field azimuth the last "
+      "point");
     v("scan_period", scan_period, Range{0.0, 2.0}, "s",
-      "duration of a sweep, for azimuth; 0: estimated from the header stamps");
-    v("azimuth_clockwise", azimuth_clockwise, "the sensor turns clockwise seen from above");
+      "duration of a sweep, for time_field azimuth; 0: estimated from the header stamps. Set it "
+      "if header stamps are irregular");
+    v("azimuth_clockwise", azimuth_clockwise,
+      "direction of rotation seen from above, for time_field azimuth. true: clockwise; false: "
+      "counter-clockwise");
     v("azimuth_start", azimuth_start, Range{-360.0, 360.0}, "deg",
-      "where a sweep starts, counter-clockwise from the sensor's x axis; 180: behind");
+      "direction in which a sweep starts, counter-clockwise from the x axis of the sensor, for "
+      "time_field azimuth; 180: behind. Set it to where scans in motion have a seam");
   }
 };
 

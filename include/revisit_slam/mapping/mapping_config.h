@@ -13,9 +13,13 @@ struct MapSplitConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("displacement", displacement, Range{1.0, 10000.0}, "m",
-      "a scan farther from the keypose begins a new map");
+      "largest distance of a scan from the keypose (the first scan) of its map; a scan farther "
+      "away begins a new map. Raise it if maps have too little structure to be matched; lower it "
+      "if drift bends maps");
     v("path_length", path_length, Range{1.0, 100000.0}, "m",
-      "so does a scan that came a longer way: for walks in circles");
+      "largest travelled distance from the keypose within a map; a scan beyond this distance "
+      "begins a new map. Raise it if winding routes give many small maps; lower it if drift bends "
+      "maps where the robot goes in circles");
   }
 };
 
@@ -32,18 +36,23 @@ struct MappingConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("enabled", enabled, "false: odometry and information alone; no maps, no loops, no graph");
+    v("enabled", enabled,
+      "true: maps, loops and pose graph; false: odometry and information alone");
     v.group("submap", submap);
     v.group("local_map", local_map);
-    v("submap_voxel_size", submap_voxel_size, Range{0.05, 5.0}, "m", "nu_sub, edge of a voxel");
+    v("submap_voxel_size", submap_voxel_size, Range{0.05, 5.0}, "m",
+      "nu_sub, edge of a voxel of the submaps, which loops are registered with. Raise it if "
+      "registrations of loops take too long; lower it if the surroundings are narrow");
     v("local_map_voxel_size", local_map_voxel_size, Range{0.05, 5.0}, "m",
-      "nu_loc, edge of a voxel");
+      "nu_loc, edge of a voxel of the local maps, which places are recognised by. Raise it if "
+      "local maps take too much memory; lower it if loops/recognition/image/resolution is lowered");
     v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
-      "files have one point for each voxel of this edge");
+      "edge of a voxel of the point clouds in files, which have one point for each voxel. Raise "
+      "it if files are too large; lower it if files should show finer detail");
     v("max_waiting", max_waiting, Range{1, 100000}, "scans",
-      "scans that may wait live to be mapped; the points of further ones are left out of the maps, "
-      "and "
-      "counted. Raise it if there is memory, about 1 MB a scan; lower it if there is not");
+      "largest number of scans that may wait live to be mapped; the points of further ones are "
+      "left out of the maps, and counted. Raise it if points are left out and memory is free "
+      "(about 1 MB a scan); lower it if memory is short");
   }
 };
 

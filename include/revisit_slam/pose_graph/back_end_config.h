@@ -18,11 +18,9 @@ struct BackEndConfig {
     solver.visit(v);
     loop_kernel.visit(v);
     v("min_inlier_weight", min_inlier_weight, Range{0.0, 1.0}, "",
-      "weight of the robust kernel below which a loop counts as an outlier; new loops that turn "
-      "more "
-      "established loops into outliers than they have inliers are rejected. Raise it if wrong "
-      "loops "
-      "are kept; lower it if right ones are rejected");
+      "weight of the robust kernel below which a loop is an outlier; new loops that make more "
+      "established loops outliers than they have inliers are rejected. Raise it if wrong loops "
+      "are kept; lower it if right loops are rejected");
   }
 };
 

@@ -18,9 +18,12 @@ struct LoopKernelConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("kernel", kernel, Choices{"none", "huber", "cauchy", "geman_mcclure"}, "",
-      "robust kernel of loop constraints");
+      "robust kernel of loop constraints. none: full weight for all; huber: weight falls as "
+      "1/residual; cauchy: as 1/residual^2; geman_mcclure: as 1/residual^4");
     v("kernel_scale", kernel_scale, Range{1e-6, 1e9}, "",
-      "loop residuals sqrt(e' information e) well beyond it lose their weight");
+      "scale of the robust kernel, a residual sqrt(e' information e); loops with residuals well "
+      "above this scale are down-weighted. Raise it if right loops are down-weighted; lower it if "
+      "wrong loops bend the map");
   }
 };
 

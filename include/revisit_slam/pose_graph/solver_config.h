@@ -13,11 +13,15 @@ struct SolverConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("max_iterations", max_iterations, Range{1, 10000}, "", "steps of the optimiser at most");
+    v("max_iterations", max_iterations, Range{1, 10000}, "",
+      "largest number of iterations of an optimisation. Raise it if optimisations do not "
+      "converge; lower it to bound the time of an optimisation");
     v("function_tolerance", function_tolerance, Range{1e-15, 1e-1}, "",
-      "it ends after a step that lowers the cost by a smaller share");
+      "relative decrease of the cost in an iteration below which the optimisation has converged. "
+      "Raise it if optimisation takes too long; lower it if poses would change in further "
+      "iterations");
     v("threads", threads, Range{1, 64}, "",
-      "threads of the optimiser; results do not depend on it");
+      "number of threads of the optimisation; results do not depend on it");
   }
 };
 

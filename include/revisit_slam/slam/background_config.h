@@ -13,9 +13,11 @@ struct BackgroundConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("threads", threads, Range{1, 64}, "", "threads of loop closure; results do not depend on it");
+    v("threads", threads, Range{1, 64}, "",
+      "number of threads that search and register loops; results do not depend on it");
     v("niceness", niceness, Range{0, 19}, "",
-      "how far maps, loops and optimisation stand back for the odometry; 19: the farthest");
+      "niceness of the threads of maps, loops and optimisation; 19: lowest priority. Raise it if "
+      "the odometry drops scans; lower it if corrections come too late");
   }
 };
 

@@ -21,9 +21,12 @@ struct FramesConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("map", map, Choices{}, "", "frame of the corrected map; the odometry's frame moves in it");
-    v("odom", odom, Choices{}, "", "frame in which the odometry moves, without jumps");
-    v("base", base, Choices{}, "", "frame whose pose is estimated; empty: the sensor's own");
+    v("map", map, Choices{}, "",
+      "name of the frame of the corrected map, in which the odometry frame moves");
+    v("odom", odom, Choices{}, "",
+      "name of the odometry frame, in which the base frame moves without jumps");
+    v("base", base, Choices{}, "",
+      "name of the frame whose pose is estimated; empty: the frame of the sensor");
   }
 };
 
@@ -40,20 +43,29 @@ struct LiveConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("queue_size", queue_size, Range{1, 10000}, "scans",
-      "scans that may wait; when more come the oldest is dropped and counted");
-    v("diagnostics_period", diagnostics_period, Range{0.1, 60.0}, "s", "between two diagnostics");
+      "largest number of scans that may wait for the odometry; of more the oldest scan is dropped "
+      "and counted. Raise it if scans are dropped in short bursts of load; lower it if poses must "
+      "not come late");
+    v("diagnostics_period", diagnostics_period, Range{0.1, 60.0}, "s",
+      "time between two diagnostics messages. Raise it if diagnostics fill recordings; lower it "
+      "if problems should show sooner");
     v("folder", folder, Choices{}, "",
-      "where each drive gets a folder, written to as it goes; empty: only what is asked for");
-    v("broadcast_map", broadcast_map, "broadcast the transform from the map to the odometry frame");
-    v("transform_rate", transform_rate, Range{0.1, 1000.0}, "Hz", "of that transform");
+      "folder in which each drive gets a folder of its own, written to during the drive; empty: "
+      "files are written only on request");
+    v("broadcast_map", broadcast_map,
+      "true: the transform from map to odometry frame is broadcast; false: another node has to do "
+      "so");
+    v("transform_rate", transform_rate, Range{0.1, 1000.0}, "Hz",
+      "rate at which the transform from map to odometry frame is broadcast. Raise it if "
+      "transforms are missed between broadcasts; lower it to reduce traffic");
     v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
-      "it is dated so far ahead of the newest scan");
+      "time by which the transform from map to odometry frame is stamped ahead of the newest "
+      "scan. Raise it if lookups fail by extrapolation into the future; lower it if corrections "
+      "should take effect sooner");
     v("transform_patience", transform_patience, Range{0.0, 3600.0}, "s",
-      "longest wait for the transform of a sensor's frame when its first scan has come; then its "
-      "scans "
-      "are dropped and counted until there is one. Raise it if transforms come late at start; "
-      "lower it "
-      "if scans of another sensor must not wait");
+      "longest wait for the transform of a sensor frame after its first scan; then its scans are "
+      "dropped and counted until there is one. Raise it if transforms come late at start; lower "
+      "it if scans of another sensor must not wait");
   }
 };
 

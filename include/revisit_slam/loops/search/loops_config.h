@@ -14,7 +14,8 @@ struct LoopsConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("enabled", enabled, "false: no loop is closed, the map is that of the odometry");
+    v("enabled", enabled,
+      "true: loops are closed; false: no loop is closed, and the map is that of the odometry");
     v.group("recognition", recognition);
     closer.visit(v);
   }

@@ -20,20 +20,22 @@ struct RetroactiveConfig {
 
   template <typename Visitor>
   void visit(Visitor& v) {
-    v("enabled", enabled, "false: only appearance closes loops (ablation)");
+    v("enabled", enabled,
+      "true: loops that appearance misses are searched for among trajectories that are near in "
+      "the map; false: appearance alone closes loops (ablation)");
     v.group("association", association);
     v("low_drift_window", low_drift_window, Range{0.0, 100000.0}, "m",
-      "how far back, in travelled metres, odometry alone is trusted to place maps: a local map "
-      "that "
-      "appearance did not close is compared with those in this window; 0: with none. Raise it if "
-      "the "
-      "odometry drifts little and short loops stay open; lower it if the odometry drifts by metres "
-      "within this distance");
+      "travelled distance over which odometry alone is trusted: a local map without a loop by "
+      "appearance is compared with earlier ones up to this far back; 0: none. Raise it if short "
+      "loops stay open; lower it if odometry drifts by metres");
     v("novelty_range", novelty_range, Range{1, 1000}, "",
-      "a closure this many local maps from any other gains as much as one still farther");
+      "distance in local maps to the nearest closed pair from which on a candidate has full "
+      "priority; nearer ones come later. Raise it if closures cluster in one area; lower it if "
+      "candidates with near trajectories come too late");
     v("max_pairs", max_pairs, Range{1, 10000}, "",
-      "pairs of submaps registered after one optimisation, or the pairs of one pair of local maps "
-      "where those are more; the rest waits for the next");
+      "number of pairs of submaps from which on a search leaves further local maps to the search "
+      "after the next optimisation. Raise it if closing loops takes many optimisations; lower it "
+      "if a search takes too long");
   }
 };
 
