@@ -56,13 +56,11 @@ void LoopClosing::advance() {
 }
 
 /// What one search throws is reported; the next one follows.
-bool LoopClosing::guarded(const std::function<void()>& work) const {
+void LoopClosing::guarded(const std::function<void()>& work) const {
   try {
     work();
-    return true;
   } catch (const std::exception& error) {
     outputs_.problem(error.what());
-    return false;
   }
 }
 

@@ -57,7 +57,7 @@ class LoopClosing {
 
   void advance();
   void goOn();
-  bool guarded(const std::function<void()>& work) const;
+  void guarded(const std::function<void()>& work) const;
   void begin(const LocalMapPtr& map);
   void begin(const MapsClosed& closed);
   void searchAfterAnswer();

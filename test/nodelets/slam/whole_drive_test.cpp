@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tf2_ros/transform_listener.h>
 
+#include <mutex>
+#include <vector>
+
 #include "drive_with_loops.h"
 #include "revisit_slam/io/trajectory.h"
 
@@ -12,6 +15,14 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
   LiveSlam slam("whole_drive");
   tf2_ros::Buffer transforms;
   tf2_ros::TransformListener transform_listener(transforms);
+  std::mutex mutex;
+  std::vector<boost::shared_ptr<const MapUpdate>> seen_by_another;
+  ros::NodeHandle other_node(slam.space());
+  const ros::Subscriber another = other_node.subscribe<MapUpdate>(
+      "submap", 0, [&](const boost::shared_ptr<const MapUpdate>& maps) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        seen_by_another.push_back(maps);
+      });
   slam.load();
   slam.play(drive.clouds);
   ASSERT_TRUE(slam.trigger("back_end/finish").success);
@@ -29,9 +40,15 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
   EXPECT_GT(textOf(folder.file("saved/map.pcd")).size(), 100'000u);
   EXPECT_TRUE(slam.listener().drops().empty());
 
-  // Every local map was searched, in order.
+  // Every local map was searched, in order, and nothing was copied on the way.
   EXPECT_TRUE(becomesTrue([&] { return slam.copyOf(slam.maps).size() == saved.submaps; }));
   const auto maps = slam.copyOf(slam.maps);
+  const auto second = [&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return seen_by_another;
+  };
+  ASSERT_TRUE(becomesTrue([&] { return second().size() == maps.size(); }));
+  for (std::size_t i = 0; i < maps.size(); ++i) EXPECT_EQ(second()[i].get(), maps[i].get());
   std::vector<LocalMapPtr> closed;
   for (const auto& message : maps)
     if (message->local_map) closed.push_back(message->local_map);
