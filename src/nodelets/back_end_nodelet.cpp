@@ -97,6 +97,8 @@ class BackEndNodelet : public SlamNodelet {
 
   void add(const GraphNode& node) {
     switch (stage_->add(node)) {
+      case ScanOrder::repeated:
+        return;
       case ScanOrder::missed:
         status_.noteMissedScan();
         NODELET_WARN_THROTTLE(5.0,

@@ -24,7 +24,7 @@ std::string made(const std::string& path) {
   return path;
 }
 
-json statistics(const std::map<std::string, std::vector<double>>& stage_ms) {
+json statistics(const std::map<std::string, std::vector<float>>& stage_ms) {
   json all = json::object();
   for (const auto& [stage, ms] : stage_ms)
     all[stage] = {
@@ -79,16 +79,16 @@ void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) 
   scan_times_ << scan.id.value << "," << stampText(scan.stamp);
   for (const auto& [stage, ms] : times) {
     scan_times_ << "," << ms;
-    stage_ms_[stage].push_back(ms);
+    stage_ms_[stage].push_back(static_cast<float>(ms));
     total += ms;
   }
-  stage_ms_["total"].push_back(total);
+  stage_ms_["total"].push_back(static_cast<float>(total));
   scan_times_ << "," << total;
   endLine(scan_times_, "scan_times.csv");
 }
 
 void RunFolder::addTimes(const StageTimes& times) {
-  for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(ms);
+  for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(static_cast<float>(ms));
 }
 
 void RunFolder::endLine(std::ofstream& stream, const std::string& name) const {
@@ -106,6 +106,7 @@ void RunFolder::finish(const RunSummary& summary) const {
       {"scans",
        {{"received", account.received},
         {"processed", account.processed},
+        {"at_rest", account.at_rest},
         {"dropped", account.dropped}}},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},

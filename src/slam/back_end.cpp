@@ -11,7 +11,7 @@ BackEnd::BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correct
 
 ScanOrder BackEnd::add(const GraphNode& node) {
   const ScanOrder order = order_.take(node.id);
-  if (order == ScanOrder::missed) return order;
+  if (order == ScanOrder::missed || order == ScanOrder::repeated) return order;
   if (order == ScanOrder::first) startSession(node.id.session, node.stamp);
   session_->add(node);
   forgetEnded();

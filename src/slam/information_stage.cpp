@@ -9,7 +9,8 @@ InformationStage::InformationStage(const InformationConfig& config)
 InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_t waiting) {
   InformedScan informed;
   informed.scan = odometry.scan;
-  if (informed.scan->id.value == 0) startSession();
+  const bool begins = session_ != informed.scan->id.session;
+  if (begins) startSession(informed.scan->id.session);
   motion_covariance_.observe(informed.scan->deskew_error);
   if (waiting > static_cast<std::size_t>(config_.max_waiting)) {
     informed.estimate = last_estimate_;
@@ -18,11 +19,12 @@ InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_
   } else if (odometry.problem) {
     estimate(*odometry.problem, informed);
   }
-  growCovariance(informed);
+  growCovariance(informed, begins);
   return informed;
 }
 
-void InformationStage::startSession() {
+void InformationStage::startSession(SessionId session) {
+  session_ = session;
   motion_covariance_ = MotionCovariance(config_);
   pose_covariance_ = PoseCovariance();
   last_estimate_ = {};
@@ -35,9 +37,9 @@ void InformationStage::estimate(const RegistrationProblem& problem, InformedScan
   last_estimate_ = informed.estimate;
 }
 
-void InformationStage::growCovariance(InformedScan& informed) {
+void InformationStage::growCovariance(InformedScan& informed, bool begins) {
   const Pose& T_odom_base = informed.scan->T_odom_base;
-  if (informed.scan->id.value > 0)
+  if (!begins)
     pose_covariance_.move(T_odom_previous_.inverse() * T_odom_base, informed.covariance_motion);
   T_odom_previous_ = T_odom_base;
   informed.covariance_pose = pose_covariance_.base();

@@ -37,6 +37,8 @@ void MapManager::insert(const RegisteredScanPtr& scan) {
 void MapManager::build(const RegisteredScan& scan) {
   const std::uint32_t scans_before = order_.scans();
   switch (order_.take(scan.id)) {
+    case ScanOrder::repeated:
+      return;
     case ScanOrder::missed:
       ++count_.missed_scans;
       return;

@@ -8,12 +8,14 @@ namespace revisit_slam {
 
 OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
     : config_(config.odometry),
+      rest_interval_(config.mapping.rest_interval),
       with_information_(config.information.enabled),
       session_(first),
       information_(config.information),
       arena_(config.odometry.threads),
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
-      odometry_(config.odometry) {}
+      odometry_(config.odometry),
+      rest_(config.mapping.rest_interval) {}
 
 std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   ++account_.received;
@@ -67,10 +69,18 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   account_.points_dropped["too far"] += aligned.too_far;
   if (!aligned.scan) return reject(toString(aligned.outcome));
   ++account_.processed;
-  aligned.scan->id.session = session_;
+  aligned.scan->id = idOf(*aligned.scan);
   aligned.scan->sensor_frame = std::move(reading.frame_id);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
   return result;
+}
+
+ScanId OdometryStage::idOf(const RegisteredScan& scan) {
+  if (rest_.repeats(scan.stamp, scan.T_odom_base))
+    ++account_.at_rest;
+  else
+    ++ids_;
+  return {ids_ - 1, session_};
 }
 
 std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const RegisteredScan& scan) const {
@@ -95,6 +105,8 @@ void OdometryStage::startSession() {
 void OdometryStage::beginSession() {
   ++session_.value;
   odometry_ = Odometry(config_);
+  rest_ = RestDetector(rest_interval_);
+  ids_ = 0;
 }
 
 void OdometryStage::reconfigure(const OdometryConfig& config) {

@@ -31,7 +31,7 @@ StageTimes timesOf(std::uint32_t i) {
 RunSummary someSummary(OdometryConfig& config) {
   RunSummary summary;
   summary.parameters = parametersOf(config);
-  summary.account = {204, 201, {{"empty", 1}, {"late", 2}}, 9000, {{"too_far", 70}}};
+  summary.account = {204, 201, 20, {{"empty", 1}, {"late", 2}}, 9000, {{"too_far", 70}}};
   summary.topic = "/points";
   summary.tracked_frame = "base_link";
   summary.time_source = "field 'time'";
@@ -97,7 +97,8 @@ TEST(RunFolder, SummaryAccountsForTheRun) {
   const RunSummary summary = someSummary(config);
   folder.finish(summary);
   const auto run = nlohmann::json::parse(textOf(folder.file("run.json")));
-  EXPECT_EQ(run["scans"], nlohmann::json::parse(R"({"received": 204, "processed": 201,
+  EXPECT_EQ(run["scans"],
+            nlohmann::json::parse(R"({"received": 204, "processed": 201, "at_rest": 20,
                                                     "dropped": {"empty": 1, "late": 2}})"));
   EXPECT_EQ(run["points"],
             nlohmann::json::parse(R"({"received": 9000, "dropped": {"too_far": 70}})"));

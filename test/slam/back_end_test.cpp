@@ -115,6 +115,13 @@ TEST_F(BackEndTest, whereFilesCannotBeWrittenTheGraphGoesOnAndSaysSo) {
   EXPECT_NE(back_end.session()->problem().find("/proc/nowhere"), std::string::npos);
 }
 
+TEST_F(BackEndTest, aBaseThatRestsAddsNothing) {
+  drive(0, 5);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(back_end_.add(node(4)), ScanOrder::repeated);
+  EXPECT_EQ(back_end_.session()->graph().size(), 5u);
+  EXPECT_EQ(back_end_.add(node(5)), ScanOrder::next);
+}
+
 TEST_F(BackEndTest, scansAfterAGapAreOfNoUse) {
   drive(0, 5);
   EXPECT_EQ(back_end_.add(node(7)), ScanOrder::missed);

@@ -110,6 +110,17 @@ TEST_F(MapManagerTest, scansAfterAGapAreCountedAndOfNoUse) {
   EXPECT_EQ(closed_.front().scans, 1u);
 }
 
+TEST_F(MapManagerTest, aBaseThatRestsAddsNothing) {
+  InlineLane building, searching;
+  MapManager manager(config_, building, searching, outputs());
+  manager.insert(scan(0, 0.0));
+  for (int i = 0; i < 3; ++i) manager.insert(scan(0, 0.0));
+  manager.close(1);
+  EXPECT_EQ(manager.count().missed_scans, 0);
+  EXPECT_EQ(closed_.front().scans, 1u);
+  EXPECT_EQ(maps_.front()->submap->stamps.size(), 1u);
+}
+
 TEST_F(MapManagerTest, whatWaitsIsBoundedAndNoScanIsMissingInTheTrajectory) {
   config_.mapping.max_waiting = 4;
   HeldLane building;

@@ -69,6 +69,20 @@ TEST(OdometryStage, accountsForEveryReading) {
   EXPECT_EQ(account.dropped.at("duplicate stamp"), 1u);
 }
 
+TEST(OdometryStage, scansOfABaseThatRestsRepeatAnId) {
+  const Drive drive = driveInRoomWith([](int) -> Tangent { return Tangent::Zero(); }, 45);
+  OdometryStage stage(roomSlam());
+  std::vector<std::uint32_t> ids;
+  for (const Scan& scan : drive.scans)
+    ids.push_back(processOne(stage, readingOf(scan)).output.scan->id.value);
+  EXPECT_EQ(ids[29], 29u);  // 3 s
+  for (std::size_t i = 30; i < 45; ++i) EXPECT_EQ(ids[i], 29u) << i;
+  EXPECT_EQ(stage.account().processed, 45u);
+  EXPECT_EQ(stage.account().at_rest, 15u);
+  stage.startSession();
+  EXPECT_EQ(processOne(stage, readingOf(drive.scans[0])).output.scan->id.value, 0u);
+}
+
 TEST(OdometryStage, aNewSessionStartsFromTheIdentity) {
   const Drive drive = driveInRoom(4);
   OdometryStage stage(roomSlam(), SessionId{5});

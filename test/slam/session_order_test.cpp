@@ -16,6 +16,17 @@ TEST(SessionOrder, sessionsBeginWithScanZeroAndGoOnWithoutGaps) {
   EXPECT_EQ(order.scans(), 1u);
 }
 
+TEST(SessionOrder, scansOfABaseThatRestsRepeatTheOneBefore) {
+  SessionOrder order;
+  order.take(ScanId{0, {7}});
+  EXPECT_EQ(order.take(ScanId{0, {7}}), ScanOrder::repeated);
+  EXPECT_EQ(order.take(ScanId{1, {7}}), ScanOrder::next);
+  EXPECT_EQ(order.take(ScanId{1, {7}}), ScanOrder::repeated);
+  EXPECT_EQ(order.take(ScanId{0, {7}}), ScanOrder::missed);
+  EXPECT_EQ(order.take(ScanId{1, {8}}), ScanOrder::missed);
+  EXPECT_EQ(order.scans(), 2u);
+}
+
 TEST(SessionOrder, whoeverMissedScansWaitsForTheNextSession) {
   SessionOrder order;
   EXPECT_EQ(order.take(ScanId{4, {7}}), ScanOrder::missed);

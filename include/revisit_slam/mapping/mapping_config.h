@@ -32,6 +32,7 @@ struct MappingConfig {
   double submap_voxel_size = 0.5;
   double local_map_voxel_size = 0.5;
   double detail_voxel_size = 0.25;
+  double rest_interval = 2.0;
   int max_waiting = 300;
 
   template <typename Visitor>
@@ -49,6 +50,10 @@ struct MappingConfig {
     v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
       "edge of a voxel of the point clouds in files, which have one point for each voxel. Raise "
       "it if files are too large; lower it if files should show finer detail");
+    v("rest_interval", rest_interval, Range{0.0, 3600.0}, "s",
+      "while the base stands still, time between scans that become part of maps, graph and "
+      "trajectory.tum; odometry.tum has them all; 0: every scan. Raise it if a robot is parked for "
+      "days; lower it if every scan needs a corrected pose");
     v("max_waiting", max_waiting, Range{1, 100000}, "scans",
       "largest number of scans that may wait live to be mapped; the points of further ones are "
       "left out of the maps, and counted. Raise it if points are left out and memory is free "

@@ -62,8 +62,8 @@ class RunFolder {
   TumWriter odometry_;
   std::ofstream information_;
   std::ofstream scan_times_;
-  std::vector<std::string> stages_;  // in the order of the first scan
-  std::map<std::string, std::vector<double>> stage_ms_;
+  std::vector<std::string> stages_;                     // in the order of the first scan
+  std::map<std::string, std::vector<float>> stage_ms_;  // floats: one for each scan
   TravelledDistance distance_;
 };
 

@@ -23,7 +23,7 @@ class BackEnd {
   BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction);
 
   /// The first scan of another session begins its graph. Scans whose predecessors were missed are
-  /// of no use. @return where the scan stands
+  /// of no use, those of a base that rests add nothing. @return where the scan stands
   ScanOrder add(const InformedScan& scan) { return add(nodeOf(scan)); }
   ScanOrder add(const GraphNode& node);
   void add(const MapUpdate& update);

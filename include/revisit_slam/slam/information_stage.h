@@ -3,6 +3,8 @@
 
 #include <tbb/task_arena.h>
 
+#include <optional>
+
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/information/motion_covariance.h"
@@ -24,15 +26,16 @@ class InformationStage {
   void reconfigure(const InformationConfig& config);
 
  private:
-  void startSession();
+  void startSession(SessionId session);
   void estimate(const RegistrationProblem& problem, InformedScan& informed);
-  void growCovariance(InformedScan& informed);
+  void growCovariance(InformedScan& informed, bool begins);
 
   InformationConfig config_;
   InformationEstimator estimator_;
   tbb::task_arena arena_{1};  // the work of a scan is smaller than handing it to others
 
-  // Of the session.
+  std::optional<SessionId> session_;
+  // Of it.
   MotionCovariance motion_covariance_;
   PoseCovariance pose_covariance_;
   InformationEstimate last_estimate_;

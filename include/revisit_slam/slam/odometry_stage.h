@@ -10,6 +10,7 @@
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/input/scan_reading.h"
 #include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/stamp_gate.h"
 #include "revisit_slam/types/scan_account.h"
@@ -62,16 +63,20 @@ class OdometryStage {
   std::vector<Result> process(std::vector<StampGate::Decision> decisions);
   Result registerScan(ScanReading reading);
   void beginSession();
+  ScanId idOf(const RegisteredScan& scan);
   Result reject(const std::string& reason, const std::string& detail = "");
   std::shared_ptr<const RegistrationProblem> gather(const RegisteredScan& scan) const;
 
   OdometryConfig config_;
-  bool with_information_;
+  const double rest_interval_;
+  const bool with_information_;
   SessionId session_;
   InformationEstimator information_;
   tbb::task_arena arena_;
   StampGate gate_;
   Odometry odometry_;
+  RestDetector rest_;
+  std::uint32_t ids_ = 0;  // given in the session
   ScanAccount account_;
 };
 

@@ -12,7 +12,8 @@ namespace revisit_slam {
 enum class ScanOrder {
   first,  ///< of a new session
   next,
-  missed,  ///< scans before it were not seen: of no use for maps and graph
+  repeated,  ///< the base rests: the scan before stands for it
+  missed,    ///< scans before it were not seen: of no use for maps and graph
 };
 
 /// Follows the scans of session after session.
@@ -24,6 +25,7 @@ class SessionOrder {
       scans_ = 1;
       return ScanOrder::first;
     }
+    if (session_ == id.session && id.value + 1 == scans_) return ScanOrder::repeated;
     if (session_ != id.session || id.value != scans_) return ScanOrder::missed;
     ++scans_;
     return ScanOrder::next;

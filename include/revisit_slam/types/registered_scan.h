@@ -14,6 +14,7 @@ namespace revisit_slam {
 
 /// A scan with its place in the odometry frame; what the odometry hands on.
 struct RegisteredScan {
+  /// Scans of a base that rests repeat the id of the one before: maps and graph leave them out.
   ScanId id;
   std::string sensor_frame;  ///< frame_id of the message
   Stamp stamp;               ///< the instant at which the pose is valid

@@ -11,6 +11,7 @@ namespace revisit_slam {
 struct ScanAccount {
   std::size_t received = 0;
   std::size_t processed = 0;
+  std::size_t at_rest = 0;  ///< of those processed, left out of maps and graph
   std::map<std::string, std::size_t> dropped;
 
   std::size_t points_received = 0;

@@ -113,6 +113,7 @@ sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const s
 void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status) {
   addValue("scans received", std::to_string(account.received), status);
   addValue("scans processed", std::to_string(account.processed), status);
+  addValue("scans at rest, not mapped", std::to_string(account.at_rest), status);
   for (const auto& [reason, count] : account.dropped)
     addValue("scans dropped, " + reason, std::to_string(count), status);
   for (const auto& [reason, count] : account.points_dropped)
