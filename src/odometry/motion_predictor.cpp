@@ -12,13 +12,28 @@ PredictedMotion ConstantVelocityPredictor::predict(Stamp stamp) const {
   predicted.is_known = observed_ > 1 && !predicted.is_after_gap;
   predicted.velocity = motion_;
   predicted.T_previous_base = motion_.after(std::min(predicted.seconds, max_prediction_time_));
+  if (observed_ > 1) predicted.covariance = covarianceOf(predicted);
   return predicted;
 }
 
-void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base) {
-  const double seconds = observed_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
-  if (seconds > 0.0)
-    motion_ = ConstantMotion(log(T_odom_previous_.inverse() * T_odom_base) / seconds);
+/// After a gap the way that was not extrapolated may be missing as well.
+Matrix6 ConstantVelocityPredictor::covarianceOf(const PredictedMotion& predicted) const {
+  const double left_out = std::max(0.0, predicted.seconds - max_prediction_time_);
+  const Tangent missing = left_out * predicted.velocity.velocity();
+  return filter_.predictedCovariance(predicted.T_previous_base, predicted.seconds) +
+         missing * missing.transpose();
+}
+
+void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
+                                        const Matrix6& information) {
+  const PredictedMotion predicted = predict(stamp);
+  const Pose T_previous_base = T_odom_previous_.inverse() * T_odom_base;
+  if (predicted.is_known)
+    filter_.update(predicted.T_previous_base, predicted.seconds,
+                   log(predicted.T_previous_base.inverse() * T_previous_base), information);
+  else if (observed_ > 0)
+    filter_.start(predicted.seconds, information);
+  if (observed_ > 0) motion_ = ConstantMotion(log(T_previous_base) / predicted.seconds);
   T_odom_previous_ = T_odom_base;
   previous_stamp_ = stamp;
   observed_ = std::min(observed_ + 1, 2);

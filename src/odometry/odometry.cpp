@@ -93,7 +93,8 @@ OdometryResult Odometry::align(const Scan& scan) {
   if (predicted.seconds > 0.0)
     registered.velocity_base =
         log(T_odom_previous_.inverse() * registered.T_odom_base) / predicted.seconds;
-  aligned_ = {scan.stamp, registered.T_odom_base, deviation, predicted.is_after_gap};
+  aligned_ = {scan.stamp, registered.T_odom_base, deviation, registered.registration.information,
+              predicted.is_after_gap};
   clock.stage("register");
   result.times = clock.times();
   return result;
@@ -105,7 +106,7 @@ void Odometry::commit() {
   if (!aligned.is_after_gap) threshold_.update(aligned.deviation);
   map_.insert(map_points_base_, aligned.T_odom_base);
   map_.dropBeyond(aligned.T_odom_base.translation, config_.max_range);
-  predictor_->observe(aligned.stamp, aligned.T_odom_base);
+  predictor_->observe(aligned.stamp, aligned.T_odom_base, aligned.information);
   T_odom_previous_ = aligned.T_odom_base;
   previous_stamp_ = aligned.stamp;
   ++scans_;

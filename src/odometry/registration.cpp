@@ -12,6 +12,9 @@ namespace revisit_slam {
 namespace {
 
 constexpr std::size_t kChunkLength = 256;
+/// m^2 over the weight of the matches is the variance of what they add up to. Far above the noise
+/// of a range, as matches nearby share their errors.
+constexpr double kMatchVariance = 0.003;
 
 /// What is registered; sweep fractions may be missing.
 struct Source {
@@ -78,6 +81,7 @@ Tangent takeStep(const NormalEquations& equations, const Source& source,
 void stayAt(const Pose& T_odom_predicted, RegistrationResult& result) {
   result.T_odom_base = T_odom_predicted;
   result.deskew_correction = Tangent::Zero();
+  result.information = Matrix6::Zero();
   result.outcome = RegistrationOutcome::too_few_correspondences;
 }
 
@@ -105,6 +109,7 @@ RegistrationResult Registration::align(const Points& points_base,
       break;
     }
     result.rms_residual = equations.rms();
+    result.information = equations.H() / kMatchVariance;
     const Tangent step = takeStep(equations, source, T_odom_predicted, config_, result);
     ++result.iterations;
     if (sigma.hasConverged(step.norm())) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/velocity_filter.h"
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
 #include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
@@ -11,6 +15,9 @@ namespace revisit_slam {
 /// What is expected of the base between the previous scan and an instant.
 struct PredictedMotion {
   Pose T_previous_base;  ///< the base at the instant, in its frame at the previous scan
+  /// Of the deviation d = Log(T_previous_base^-1 * T_previous_true), [m; rad] in the base frame at
+  /// the instant. None: nothing is known of the motion, and the registration alone decides.
+  std::optional<Matrix6> covariance;
   /// What the scan is deskewed with. Without a gap T_previous_base is velocity.after(seconds): the
   /// deskew correction takes times as fractions of that.
   ConstantMotion velocity;
@@ -30,32 +37,38 @@ class MotionPredictor {
 
   virtual PredictedMotion predict(Stamp stamp) const = 0;
 
-  /// The base is held to be at this pose: registered or, where too little matched, as predicted.
-  /// Stamps ascend.
-  virtual void observe(Stamp stamp, const Pose& T_odom_base) = 0;
+  /// The base is held to be at this pose, that of registration and prediction together.
+  /// `information`: what the registration alone tells of it, the inverse of a covariance of right
+  /// perturbations [m; rad] in the base frame; zero where too little matched and the pose is the
+  /// prediction. Directions without information are no observation. Stamps ascend.
+  virtual void observe(Stamp stamp, const Pose& T_odom_base, const Matrix6& information) = 0;
 
   /// Takes over what may change between two scans.
   virtual void reconfigure(const OdometryConfig&) {}
 };
 
 /// The base goes on as it did between the two scans before (KISS-ICP Sec. III-A). Over longer gaps
-/// than max_prediction_time it is extrapolated only so far.
+/// than max_prediction_time it is extrapolated only so far. How far the motion may deviate follows
+/// from the accelerations that this platform has shown (VelocityFilter).
 class ConstantVelocityPredictor final : public MotionPredictor {
  public:
   explicit ConstantVelocityPredictor(const OdometryConfig& config) { reconfigure(config); }
 
   PredictedMotion predict(Stamp stamp) const override;
-  void observe(Stamp stamp, const Pose& T_odom_base) override;
+  void observe(Stamp stamp, const Pose& T_odom_base, const Matrix6& information) override;
   void reconfigure(const OdometryConfig& config) override {
     max_prediction_time_ = config.max_prediction_time;
   }
 
  private:
+  Matrix6 covarianceOf(const PredictedMotion& predicted) const;
+
   double max_prediction_time_ = 0.0;  // s
   int observed_ = 0;                  // up to 2
   Stamp previous_stamp_;
   Pose T_odom_previous_;
   ConstantMotion motion_;
+  VelocityFilter filter_;
 };
 
 }  // namespace revisit_slam

@@ -65,7 +65,8 @@ class Odometry {
   struct Aligned {
     Stamp stamp;
     Pose T_odom_base;
-    Pose deviation;  ///< T_predicted_base
+    Pose deviation;       ///< T_predicted_base
+    Matrix6 information;  ///< of the registration alone
     bool is_after_gap;
   };
 

@@ -22,6 +22,9 @@ struct RegistrationResult {
   /// What the motion since the previous scan, with which the points were deskewed, is estimated to
   /// have missed, [m; rad]; zero without sweep fractions. See `applyDeskewCorrection`.
   Tangent deskew_correction = Tangent::Zero();
+  /// What the matches tell of T_odom_base, without the prediction: the inverse of a covariance of
+  /// right perturbations, [m; rad] in the base frame. Zero where too little matched.
+  Matrix6 information = Matrix6::Zero();
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;

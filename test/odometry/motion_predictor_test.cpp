@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/odometry/motion_predictor.h"
+
+#include <gtest/gtest.h>
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kSpeed = 5.0;
+
+Stamp stampAt(double seconds) {
+  return Stamp::fromSeconds(1000.0 + seconds);
+}
+
+Pose poseAt(double seconds) {
+  return {Eigen::Quaterniond::Identity(), {kSpeed * seconds, 0.0, 0.0}};
+}
+
+ConstantVelocityPredictor drivenFor(int scans, const Matrix6& information) {
+  ConstantVelocityPredictor predictor{OdometryConfig()};
+  for (int i = 0; i < scans; ++i) predictor.observe(stampAt(0.1 * i), poseAt(0.1 * i), information);
+  return predictor;
+}
+
+const Matrix6 kPrecise = 1e6 * Matrix6::Identity();
+
+TEST(ConstantVelocityPredictor, KnowsNothingBeforeTwoScans) {
+  EXPECT_FALSE(drivenFor(0, kPrecise).predict(stampAt(0.0)).covariance);
+  EXPECT_FALSE(drivenFor(1, kPrecise).predict(stampAt(0.1)).covariance);
+  EXPECT_TRUE(drivenFor(2, kPrecise).predict(stampAt(0.2)).covariance);
+}
+
+TEST(ConstantVelocityPredictor, GoesOnAndIsTheSurerTheLongerTheMotionWasSteady) {
+  const PredictedMotion early = drivenFor(3, kPrecise).predict(stampAt(0.3));
+  const PredictedMotion late = drivenFor(200, kPrecise).predict(stampAt(20.0));
+  EXPECT_NEAR(late.T_previous_base.translation.x(), 0.1 * kSpeed, 1e-6);
+  EXPECT_LT((*late.covariance)(0, 0), 0.1 * (*early.covariance)(0, 0));
+}
+
+TEST(ConstantVelocityPredictor, AGapLeavesOutAsMuchAsTheCovarianceSays) {
+  const ConstantVelocityPredictor predictor = drivenFor(200, kPrecise);
+  const PredictedMotion predicted = predictor.predict(stampAt(23.9));
+  ASSERT_TRUE(predicted.is_after_gap);
+  const double missing = 4.0 * kSpeed - predicted.T_previous_base.translation.x();
+  EXPECT_GT((*predicted.covariance)(0, 0), missing * missing);
+}
+
+}  // namespace
+}  // namespace revisit_slam
