@@ -2,7 +2,6 @@
 #include "revisit_slam/input/point_timer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "revisit_slam/input/time_fields.h"
 
@@ -18,12 +17,12 @@ std::vector<float> secondsFromLast(const std::vector<double>& times, double last
   return seconds;
 }
 
-void dropPointsWithoutTime(KeptPoints& kept, std::vector<double>& times) {
+void dropPointsBeyond(const TimeRange& range, KeptPoints& kept, std::vector<double>& times) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     kept.points[count] = kept.points[i];
     times[count] = times[i];
-    count += std::isfinite(times[i]);
+    count += range.contains(times[i]);
   }
   kept.counts.no_time += times.size() - count;
   kept.counts.kept = count;
@@ -57,14 +56,17 @@ SweepTimes PointTimer::timeByField(const PointView& view, const ReferenceStamp& 
     overrides.unit = overrides.unit.value_or(*reference.defined_unit);
     overrides.origin = TimeOrigin::relative;
   }
+  period_.add(reference.stamp);
   TimeDecision first_fault;
   for (const PointField& field : findTimeFields(view, config_.time_field)) {
     std::vector<double> times = readField(view, field, kept.byte_offsets);
-    const TimeRange range = TimeRange::of(times);
+    const TimeRange all = TimeRange::of(times);
     const auto prior = field.name == field_ ? source_ : std::nullopt;
+    TimeRange range = prior && isUsual(all, prior->unit) ? all : TimeRange::ofBulk(times);
     TimeDecision decision = decideTimeSource(field, range, reference.stamp, overrides, prior);
     if (decision.source) {
-      if (range.finite < times.size()) dropPointsWithoutTime(kept, times);
+      if (isUsual(all, decision.source->unit)) range = all;
+      if (range.finite < times.size()) dropPointsBeyond(range, kept, times);
       SweepTimes sweep = accept(field, *decision.source, range, reference);
       sweep.times = secondsFromLast(times, range.last, decision.source->unit);
       return sweep;
@@ -78,6 +80,12 @@ SweepTimes PointTimer::timeByField(const PointView& view, const ReferenceStamp& 
       config_.time_field == "auto" ? "no time field" : "no field '" + config_.time_field + "'";
   return withoutTimes(TimeFault::no_field, wanted + " (fields: " + view.fieldNames() + ")",
                       reference.stamp);
+}
+
+/// Whether no time needs to be doubted: a sweep lasts no longer than it takes to the next.
+bool PointTimer::isUsual(const TimeRange& range, TimeUnit unit) const {
+  constexpr double tolerance = 1.1;
+  return range.span() * secondsIn(unit) <= tolerance * period_.seconds();
 }
 
 SweepTimes PointTimer::accept(const PointField& field, const TimeSource& source,

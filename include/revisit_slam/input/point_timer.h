@@ -40,6 +40,7 @@ class PointTimer {
 
  private:
   SweepTimes timeByField(const PointView& view, const ReferenceStamp& reference, KeptPoints& kept);
+  bool isUsual(const TimeRange& range, TimeUnit unit) const;
   SweepTimes timeByAzimuth(const ReferenceStamp& reference, const KeptPoints& kept);
   SweepTimes accept(const PointField& field, const TimeSource& source, const TimeRange& range,
                     const ReferenceStamp& reference);

@@ -30,7 +30,7 @@ struct PointCounts {
   std::size_t not_finite = 0;
   /// (0, 0, 0): how many drivers write "no return".
   std::size_t at_origin = 0;
-  /// The time is NaN or infinite, where other points of the scan have one.
+  /// The time is NaN, infinite or far from all others, where other points of the scan have one.
   std::size_t no_time = 0;
   std::size_t kept = 0;
 };

@@ -72,6 +72,37 @@ TEST(ScanTimes, aFewPointsDoNotChangeTheDecision) {
   EXPECT_EQ(reader.description(), decided);
 }
 
+TEST(ScanTimes, garbageTimesCostTheirPointsOnly) {
+  struct Case {
+    double first, last, garbage;
+    std::uint8_t type;
+  };
+  const double now = static_cast<double>(start) * 1e-9;
+  for (const Case& c :
+       {Case{0, 0.0998, 0.9, Field::FLOAT32}, Case{0, 0.0998, -7e11, Field::FLOAT32},
+        Case{0, 9.98e7, 4294967295.0, Field::UINT32},
+        Case{now, now + 0.0998, 0.0, Field::FLOAT64}}) {
+    ScanReader reader({});
+    for (int scan = 0; scan < 4; ++scan) {  // from the first on, where nothing is known yet
+      const double to_scan = c.first > 0 ? 0.1 * scan : 0.0;
+      auto points = sweep(c.first + to_scan, c.last + to_scan);
+      points[5].time = points[70].time = c.garbage;
+      const ScanReading reading = readTimes(reader, scan, points, c.type);
+      EXPECT_EQ(reading.scan->times.size(), 198u);
+      EXPECT_EQ(reading.scan->points.size(), 198u);
+      EXPECT_EQ(reading.counts.no_time, 2u);
+      EXPECT_EQ(reading.counts.kept, 198u);
+      EXPECT_NEAR(afterHeader(reading), 0.0998, 1e-6);
+      EXPECT_NEAR(reading.scan->times.front(), -0.0998, 1e-6);
+    }
+  }
+}
+
+TEST(ScanTimes, slowSweepsKeepAllTimes) {
+  ScanReader reader({});
+  EXPECT_EQ(readTimes(reader, 0, sweep(0, 0.5)).scan->times.size(), 200u);
+}
+
 TEST(ScanTimes, contradictingTimesAreDecidedAnewAndReported) {
   ScanReader reader({});
   readTimes(reader, 0, sweep(0, 0.9));
