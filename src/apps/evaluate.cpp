@@ -12,8 +12,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "revisit_slam/evaluation/estimate_judge.h"
+#include "revisit_slam/input/sweep_assembler.h"
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/ros/input/bag_scans.h"
@@ -70,6 +72,14 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
 void insertScans(const Options& options, std::vector<EstimateJudge>& judges) {
   BagScans bag(options.bags, options.topic);
   ScanReader reader(options.config.input);
+  SweepAssembler assembler(options.config.input);
+  const auto insert = [&](const std::vector<SweepAssembler::Sweep>& sweeps) {
+    for (const SweepAssembler::Sweep& sweep : sweeps) {
+      if (!sweep.refusal.empty()) continue;
+      for (EstimateJudge& judge : judges)
+        judge.insert(*sweep.reading.scan, options.config.odometry);
+    }
+  };
   const std::string& base = options.config.frames.base;
   const bool of_sensor = base.empty() || !bag.hasTransforms();
   std::optional<Pose> T_base_sensor;
@@ -89,8 +99,9 @@ void insertScans(const Options& options, std::vector<EstimateJudge>& judges) {
           "the bag has no transform from '" + reading.frame_id + "' to '" + base +
           "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
     reading.scan->T_base_sensor = *T_base_sensor;
-    for (EstimateJudge& judge : judges) judge.insert(*reading.scan, options.config.odometry);
+    insert(assembler.take(std::move(reading)));
   }
+  insert(assembler.flush());
   if (rejected > 0) progress.say(std::to_string(rejected) + " scans could not be read");
   for (EstimateJudge& judge : judges) judge.compareMaps();
   progress.finish();

@@ -187,6 +187,7 @@ class OdometryNodelet : public SlamNodelet {
                      : newly_dropped       ? "scans were dropped"
                                            : "running";
     addValue("point times", time_source_, status);
+    addValue("messages", stage_->sweepForm(), status);
     addValue("registration", toString(last_registration_.outcome), status);
     addValue("iterations", std::to_string(last_registration_.iterations), status);
     addValue("delay (s)", std::to_string(last_delay_), status);

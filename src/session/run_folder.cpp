@@ -107,6 +107,7 @@ void RunFolder::finish(const RunSummary& summary) const {
        {{"received", account.received},
         {"processed", account.processed},
         {"at_rest", account.at_rest},
+        {"joined", account.joined},
         {"dropped", account.dropped}}},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},

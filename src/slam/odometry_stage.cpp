@@ -13,6 +13,7 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       session_(first),
       information_(config.information),
       arena_(config.odometry.threads),
+      assembler_(config.input),
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
       odometry_(config.odometry),
       rest_(config.mapping.rest_interval) {}
@@ -24,16 +25,36 @@ std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   account_.points_dropped["at the sensor's origin"] += reading.counts.at_origin;
   account_.points_dropped["without time"] += reading.counts.no_time;
   if (!reading.scan) return {reject(describe(reading.rejection), reading.detail)};
-  return process(gate_.take(std::move(reading)));
+  std::vector<Result> results;
+  process(assembler_.take(std::move(reading)), results);
+  return results;
 }
 
 std::vector<OdometryStage::Result> OdometryStage::flush() {
-  return process(gate_.flush());
+  std::vector<Result> results;
+  process(assembler_.flush(), results);
+  process(gate_.flush(), results);
+  return results;
 }
 
-std::vector<OdometryStage::Result> OdometryStage::process(
-    std::vector<StampGate::Decision> decisions) {
-  std::vector<Result> results;
+void OdometryStage::process(std::vector<SweepAssembler::Sweep> sweeps,
+                            std::vector<Result>& results) {
+  for (SweepAssembler::Sweep& sweep : sweeps) {
+    account_.joined += sweep.messages - 1;
+    if (sweep.refusal.empty()) {
+      process(gate_.take(std::move(sweep.reading)), results);
+    } else {
+      results.push_back(reject(sweep.refusal));
+    }
+  }
+  if (results.empty() || assembler_.description() == said_sweep_form_) return;
+  said_sweep_form_ = assembler_.description();
+  std::string& notice = results.front().notice;
+  notice = notice.empty() ? said_sweep_form_ : said_sweep_form_ + "; " + notice;
+}
+
+void OdometryStage::process(std::vector<StampGate::Decision> decisions,
+                            std::vector<Result>& results) {
   for (StampGate::Decision& decision : decisions) {
     if (!decision.refusal.empty()) {
       results.push_back(reject(decision.refusal));
@@ -49,7 +70,6 @@ std::vector<OdometryStage::Result> OdometryStage::process(
       results.back().notice = "the stamps went back by " + std::to_string(*decision.went_back) +
                               " s: a new session begins";
   }
-  return results;
 }
 
 OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
@@ -98,6 +118,8 @@ void OdometryStage::countDropped(const std::string& reason) {
 
 void OdometryStage::startSession() {
   beginSession();
+  assembler_.restart();
+  said_sweep_form_.clear();
   gate_.restart();
   account_ = {};
 }

@@ -98,7 +98,7 @@ TEST(RunFolder, SummaryAccountsForTheRun) {
   folder.finish(summary);
   const auto run = nlohmann::json::parse(textOf(folder.file("run.json")));
   EXPECT_EQ(run["scans"],
-            nlohmann::json::parse(R"({"received": 204, "processed": 201, "at_rest": 20,
+            nlohmann::json::parse(R"({"received": 204, "processed": 201, "at_rest": 20, "joined": 0,
                                                     "dropped": {"empty": 1, "late": 2}})"));
   EXPECT_EQ(run["points"],
             nlohmann::json::parse(R"({"received": 9000, "dropped": {"too_far": 70}})"));

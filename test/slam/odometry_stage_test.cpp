@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contains.h"
+#include "support/sweep_parts.h"
 #include "support/synthetic_drive.h"
 
 namespace revisit_slam {
@@ -81,6 +83,28 @@ TEST(OdometryStage, scansOfABaseThatRestsRepeatAnId) {
   EXPECT_EQ(stage.account().at_rest, 15u);
   stage.startSession();
   EXPECT_EQ(processOne(stage, readingOf(drive.scans[0])).output.scan->id.value, 0u);
+}
+
+TEST(OdometryStage, joinsPartsToTheSweepsThatTheyAreOf) {
+  const Drive drive = driveInRoom(12);
+  OdometryStage whole_stage(roomSlam()), parts_stage(roomSlam());
+  std::vector<OdometryStage::Result> whole, parts;
+  for (const Scan& scan : drive.scans)
+    for (auto& result : whole_stage.process(partsOf(scan, 1).front())) whole.push_back(result);
+  for (const ScanReading& part : partsOf(drive.scans, 3))
+    for (auto& result : parts_stage.process(part)) parts.push_back(result);
+  ASSERT_EQ(parts.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    ASSERT_TRUE(parts[i].output.scan);
+    EXPECT_TRUE(parts[i].output.scan->deskewed);
+    EXPECT_LT(distanceBetween(parts[i].output.scan->T_odom_base, whole[i].output.scan->T_odom_base),
+              1e-3);
+  }
+  EXPECT_TRUE(contains(parts.front().notice, "hold parts of sweeps"));
+  EXPECT_EQ(parts.back().notice, "");
+  EXPECT_EQ(parts_stage.account().received, 36u);
+  EXPECT_EQ(parts_stage.account().processed, 12u);
+  EXPECT_EQ(parts_stage.account().joined, 24u);
 }
 
 TEST(OdometryStage, aNewSessionStartsFromTheIdentity) {

@@ -14,6 +14,7 @@ struct ScanInputConfig {
   std::string time_unit = "auto";
   std::string time_origin = "auto";
   std::string header_stamp = "auto";
+  std::string sweeps = "auto";
   double scan_period = 0.0;
   bool azimuth_clockwise = true;
   double azimuth_start = 180.0;
@@ -33,9 +34,13 @@ struct ScanInputConfig {
       "point of the sweep that the header stamp belongs to (first, middle or last), for times "
       "that are not absolute; auto: the point of time zero, with time_field azimuth the last "
       "point");
+    v("sweeps", sweeps, Choices{"auto", "messages"}, "",
+      "what is registered as one scan. auto: sweeps are assembled from the messages where these "
+      "hold a part of a revolution or come more often than 30 times a second; messages: every "
+      "message is a scan");
     v("scan_period", scan_period, Range{0.0, 2.0}, "s",
-      "duration of a sweep, for time_field azimuth; 0: estimated from the header stamps. Set it "
-      "if header stamps are irregular");
+      "duration of a sweep, for time_field azimuth and for sweeps that are assembled from "
+      "messages; 0: estimated from the messages. Set it if header stamps are irregular");
     v("azimuth_clockwise", azimuth_clockwise,
       "direction of rotation seen from above, for time_field azimuth. true: clockwise; false: "
       "counter-clockwise");

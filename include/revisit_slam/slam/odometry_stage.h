@@ -9,6 +9,7 @@
 
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/input/scan_reading.h"
+#include "revisit_slam/input/sweep_assembler.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
@@ -26,7 +27,8 @@ struct OdometryOutput {
 };
 
 /// From readings to registered scans that carry their registration problem, with an account of
-/// everything that was dropped. A clock that was set back begins a session by itself.
+/// everything that was dropped. Readings that hold a part of a sweep are joined first. A clock that
+/// was set back begins a session by itself.
 class OdometryStage {
  public:
   /// Sessions count from `first`.
@@ -35,12 +37,11 @@ class OdometryStage {
   struct Result {
     OdometryOutput output;  ///< without scan where the reading was dropped
     std::string rejection;  ///< why
-    std::string notice;     ///< of a session that began with it; else empty
+    std::string notice;     ///< of a session or of messages that began with it; else empty
     StageTimes times;
   };
 
-  /// What became of the reading, and of those before whose stamps had to be confirmed: none, one or
-  /// more.
+  /// What became of the reading, and of those before that had to wait for it: none, one or more.
   std::vector<Result> process(ScanReading reading);
   /// What became of readings that wait to be confirmed, as no further one comes.
   std::vector<Result> flush();
@@ -56,11 +57,14 @@ class OdometryStage {
 
   /// Since startSession().
   const ScanAccount& account() const { return account_; }
-  /// Readings that wait for the next to confirm their stamps.
-  std::size_t held() const { return gate_.held(); }
+  /// Readings that wait for the next.
+  std::size_t held() const { return assembler_.held() + gate_.held(); }
+  /// What is unusual about the messages; empty where nothing is.
+  const std::string& sweepForm() const { return assembler_.description(); }
 
  private:
-  std::vector<Result> process(std::vector<StampGate::Decision> decisions);
+  void process(std::vector<SweepAssembler::Sweep> sweeps, std::vector<Result>& results);
+  void process(std::vector<StampGate::Decision> decisions, std::vector<Result>& results);
   Result registerScan(ScanReading reading);
   void beginSession();
   ScanId idOf(const RegisteredScan& scan);
@@ -73,6 +77,8 @@ class OdometryStage {
   SessionId session_;
   InformationEstimator information_;
   tbb::task_arena arena_;
+  SweepAssembler assembler_;
+  std::string said_sweep_form_;
   StampGate gate_;
   Odometry odometry_;
   RestDetector rest_;

@@ -20,7 +20,7 @@ class SlamObserver {
   // In the thread that inserts scans.
   virtual void onScan(const InformedScan&, const StageTimes&) {}
   virtual void onRejection(const std::string& /*reason*/) {}
-  /// Of a session that began by itself.
+  /// Of a session that began by itself, or of messages that are no usual sweeps.
   virtual void onNotice(const std::string&) {}
   virtual void onMaps(const MapUpdate&) {}
   // In the background.

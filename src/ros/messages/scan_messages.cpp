@@ -114,6 +114,7 @@ void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& s
   addValue("scans received", std::to_string(account.received), status);
   addValue("scans processed", std::to_string(account.processed), status);
   addValue("scans at rest, not mapped", std::to_string(account.at_rest), status);
+  addValue("messages joined to sweeps", std::to_string(account.joined), status);
   for (const auto& [reason, count] : account.dropped)
     addValue("scans dropped, " + reason, std::to_string(count), status);
   for (const auto& [reason, count] : account.points_dropped)
