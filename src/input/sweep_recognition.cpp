@@ -129,7 +129,7 @@ double SweepRecognition::sweepSeconds(std::size_t messages_in_group) const {
   if (revolutions.size() + 1 >= kGroups - 1) {
     if (form_.sweep_seconds > 0.0) return form_.sweep_seconds;
     const double revolution = revolutions[revolutions.size() / 2];
-    return revolution > kOverlap * interval_ ? std::min(revolution, 1.0) : 0.0;
+    return revolution > kOverlap * shortestInterval() ? std::min(revolution, 1.0) : 0.0;
   }
   if (!revolutions.empty()) return form_.sweep_seconds;
   return interval_ < kShortestInterval ? kUsualSweep : 0.0;

@@ -163,6 +163,19 @@ TEST(SweepAssembler, sweepsMayBeginAtAnyPart) {
   EXPECT_EQ(assembler.held(), 2u);
 }
 
+TEST(SweepAssembler, revolutionsAcrossTwoMessagesWithEveryOtherOneLost) {
+  const std::vector<ScanReading> all = Spinning{}.messages(20, 2);
+  std::vector<ScanReading> messages;
+  for (std::size_t i = 1; i + 1 < all.size(); i += 4) {
+    messages.push_back(all[i]);
+    messages.push_back(all[i + 1]);
+  }
+  SweepAssembler assembler({});
+  const Sweeps sweeps = assemble(assembler, messages);
+  ASSERT_EQ(sweeps.size(), 10u);
+  for (const SweepAssembler::Sweep& sweep : sweeps) EXPECT_EQ(sweep.messages, 2u);
+}
+
 TEST(SweepAssembler, partsWithoutPointTimesHaveThoseOfTheirMessages) {
   std::vector<ScanReading> messages = Spinning{}.messages(12, 4);
   for (ScanReading& message : messages) message.scan->times.clear();
