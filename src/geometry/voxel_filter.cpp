@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/geometry/voxel_filter.h"
 
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 
 #include "revisit_slam/geometry/spread_order.h"
@@ -13,6 +15,16 @@ constexpr int kBitsPerAxis = 17;
 constexpr int kKeyBits = 3 * kBitsPerAxis;
 constexpr std::uint64_t kLargestCall = (std::uint64_t{1} << (64 - kKeyBits)) - 1;
 
+/// Teschner et al., "Optimized Spatial Hashing", VMV 2003, with KISS-ICP's second factor.
+struct SpatialHash {
+  std::size_t operator()(const Voxel& voxel) const {
+    const auto part = [&](int axis, std::uint32_t factor) {
+      return static_cast<std::uint32_t>(voxel[axis]) * factor;
+    };
+    return part(0, 73856093) ^ part(1, 19349669) ^ part(2, 83492791);
+  }
+};
+
 }  // namespace
 
 const VoxelFilter::Indices& VoxelFilter::filter(const Points& input, double voxel_size,
@@ -24,6 +36,22 @@ const VoxelFilter::Indices& VoxelFilter::filterSpread(const Points& input, doubl
                                                       Points& output) {
   SpreadOrder order(input.size());
   return filterInOrder(input, voxel_size, output, [&] { return order.next(); });
+}
+
+const VoxelFilter::Indices& VoxelFilter::filterHashed(const Points& input, double voxel_size,
+                                                      Points& output) {
+  tsl::robin_map<Voxel, std::uint32_t, SpatialHash> first_of;
+  first_of.reserve(input.size());
+  for (std::size_t i = 0; i < input.size(); ++i)
+    first_of.try_emplace(voxelOf<double>(input[i].cast<double>() / voxel_size),
+                         static_cast<std::uint32_t>(i));
+  output.clear();
+  kept_.clear();
+  for (const auto& [voxel, index] : first_of) {
+    output.push_back(input[index]);
+    kept_.push_back(index);
+  }
+  return kept_;
 }
 
 template <typename NextIndex>

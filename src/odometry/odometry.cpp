@@ -14,6 +14,17 @@ namespace {
 constexpr double kMapPointSpacing = 0.5;
 constexpr double kSourcePointSpacing = 1.5;
 
+/// How the points for the map are taken from a scan, and from these those for ICP.
+struct Sampling {
+  using Filter = const VoxelFilter::Indices& (VoxelFilter::*)(const Points&, double, Points&);
+  Filter of_map, of_source;
+};
+
+Sampling samplingOf(const OdometryConfig& config) {
+  if (config.sampling == "hash") return {&VoxelFilter::filterHashed, &VoxelFilter::filterHashed};
+  return {&VoxelFilter::filter, &VoxelFilter::filterSpread};
+}
+
 void select(const std::vector<float>& values, const VoxelFilter::Indices& indices,
             std::vector<float>& selected) {
   selected.clear();
@@ -84,7 +95,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
                                                 map_, T_odom_predicted, registered.sigma);
   registered.T_odom_base = registered.registration.T_odom_base;
-  if (scans_ == 0 && registered.deskewed) first_scan_ = scan;
+  if (scans_ == 0 && registered.deskewed && config_.redo_first_scans) first_scan_ = scan;
   if (scans_ == 1 && !predicted.is_after_gap) startAgain(scan, predicted.seconds, registered);
   const Pose deviation = T_odom_predicted.inverse() * registered.T_odom_base;
   registered.deskew_error = log(deviation) - registered.registration.deskew_correction;
@@ -120,13 +131,14 @@ OdometryResult Odometry::registerScan(const Scan& scan) {
 
 void Odometry::downsample(RegisteredScan& registered) {
   const double voxel_size = config_.map.voxel_size;
-  select(
-      sweep_fractions_,
-      voxel_filter_.filter(registered.points_base, kMapPointSpacing * voxel_size, map_points_base_),
-      map_sweep_fractions_);
+  const Sampling sampling = samplingOf(config_);
+  select(sweep_fractions_,
+         (voxel_filter_.*sampling.of_map)(registered.points_base, kMapPointSpacing * voxel_size,
+                                          map_points_base_),
+         map_sweep_fractions_);
   select(map_sweep_fractions_,
-         voxel_filter_.filterSpread(map_points_base_, kSourcePointSpacing * voxel_size,
-                                    registered.source_base),
+         (voxel_filter_.*sampling.of_source)(map_points_base_, kSourcePointSpacing * voxel_size,
+                                             registered.source_base),
          source_sweep_fractions_);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -35,6 +36,26 @@ TEST(VoxelFilter, KeepsTheFirstPointOfEachVoxelInOrder) {
       filter.filter(input, voxel_size, output);
       ASSERT_EQ(output, firstOfEachVoxel(input, voxel_size)) << count << " points, " << voxel_size;
     }
+}
+
+TEST(VoxelFilter, HashedKeepsTheSamePointsInAnotherOrder) {
+  RandomNumbers random(3);
+  const Points input = random.cloud(5000, 10.0);
+  VoxelFilter filter;
+  Points in_order, hashed, again;
+  filter.filter(input, 1.0, in_order);
+  const VoxelFilter::Indices kept = filter.filterHashed(input, 1.0, hashed);
+  ASSERT_EQ(kept.size(), hashed.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(input[kept[i]], hashed[i]);
+  filter.filterHashed(input, 1.0, again);
+  EXPECT_EQ(again, hashed);
+  EXPECT_NE(hashed, in_order);
+  const auto less = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::sort(hashed.begin(), hashed.end(), less);
+  std::sort(in_order.begin(), in_order.end(), less);
+  EXPECT_EQ(hashed, in_order);
 }
 
 TEST(VoxelFilter, ForgetsEarlierCallsAlsoWhenItsCounterStartsAnew) {

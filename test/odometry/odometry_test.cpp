@@ -44,6 +44,34 @@ TEST(Odometry, StartingInMotionDeskewsTheSecondScanAsIfTheMotionHadBeenKnown) {
             0.03);
 }
 
+TEST(Odometry, TakesTheFirstScansAsTheyAreWhereItIsAsked) {
+  const Drive drive = driveInRoom(20);
+  OdometryConfig config = roomConfig();
+  config.redo_first_scans = false;
+  Odometry once(config), again(roomConfig());
+  OdometryResult first, second;
+  for (const std::size_t i : {18u, 19u}) {
+    first = once.registerScan(drive.scans[i]);
+    second = again.registerScan(drive.scans[i]);
+  }
+  const Points as_it_is = preprocess(drive.scans[19], ConstantMotion(), config).points_base;
+  EXPECT_EQ(first.scan->points_base, as_it_is);
+  EXPECT_NE(second.scan->points_base, as_it_is);
+}
+
+TEST(Odometry, TakesPointsInTheOrderOfAHashTableWhereItIsAsked) {
+  const Scan scan = driveInRoom(1).scans[0];
+  OdometryConfig config = roomConfig();
+  config.sampling = "hash";
+  const RegisteredScan registered = *Odometry(config).registerScan(scan).scan;
+  Points for_map, expected;
+  VoxelFilter filter;
+  filter.filterHashed(registered.points_base, 0.5 * config.map.voxel_size, for_map);
+  filter.filterHashed(for_map, 1.5 * config.map.voxel_size, expected);
+  EXPECT_EQ(registered.source_base, expected);
+  EXPECT_NE(Odometry(roomConfig()).registerScan(scan).scan->source_base, expected);
+}
+
 TEST(Odometry, DeskewsWithTheMotionOfTheScanItself) {
   const Drive drive = walkInRoom(40);
   const auto meanErrorOfMotions = [&](double deskew_gain) {

@@ -23,6 +23,11 @@ class VoxelFilter {
   /// is drawn to that side; in the spread order it may lie anywhere.
   const Indices& filterSpread(const Points& input, double voxel_size, Points& output);
 
+  /// The first point of each voxel in the order of the input, handed on in the order of a hash
+  /// table of the voxels: KISS-ICP's own, whose results depend on it where what is down-sampled
+  /// is down-sampled again.
+  const Indices& filterHashed(const Points& input, double voxel_size, Points& output);
+
  private:
   template <typename NextIndex>
   const Indices& filterInOrder(const Points& input, double voxel_size, Points& output,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "revisit_slam/icp/local_voxel_map_config.h"
 #include "revisit_slam/util/parameters.h"
 
@@ -89,6 +91,8 @@ struct OdometryConfig {
   double max_range = 100.0;
   double min_range = 0.5;
   bool deskew = true;
+  bool redo_first_scans = true;
+  std::string sampling = "spread";
   double max_prediction_time = 1.0;
   int restart_after = 5;
   int threads = 2;
@@ -105,6 +109,12 @@ struct OdometryConfig {
       "distance from the sensor within which points are dropped. Raise it if the sensor sees its "
       "bearer; lower it in narrow surroundings");
     v("deskew", deskew, "correction of the motion within a scan where its point times are known");
+    v("redo_first_scans", redo_first_scans,
+      "true: the first two scans are deskewed and registered once more with the motion between "
+      "them; false: the first scan is taken as it is, as in KISS-ICP");
+    v("sampling", sampling, Choices{"spread", "hash"}, "",
+      "which point of a voxel is registered. spread: the first one when the scan is gone through "
+      "evenly from everywhere; hash: the first one in the order of KISS-ICP's hash table");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
       "longest time over which the motion is extrapolated; after a longer gap between scans the "
       "adaptive threshold starts anew. Raise it if scans are lost in steady motion; lower it if "
