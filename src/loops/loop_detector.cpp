@@ -25,6 +25,7 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
                            const InformationConfig& information)
     : enabled_(loops.enabled),
       max_pairs_(retroactive.max_pairs),
+      search_at_end_(retroactive.search_at_end),
       recognition_(loops.recognition),
       appearance_closer_(loops.closer, information),
       retroactive_closer_(closerConfig(loops, retroactive), information),
@@ -55,14 +56,30 @@ LoopSearchResult LoopDetector::searchByAppearance(const LocalMapPtr& map) {
   result.view = std::make_shared<const PlaceView>(recognition_.lastView());
   clock.stage("recognition");
   if (result.match) {
-    const LocalMap& target = *maps_.at(result.match->target.value);
-    result.proposals = appearance_closer_.close(*map, target, result.match->T_target_source,
-                                                LoopOrigin::appearance);
+    result.proposals = closeByAppearance(*map, *result.match);
     for (LoopProposal& proposal : result.proposals) proposal.loop.inliers = result.match->inliers;
   }
   clock.stage("registration");
   result.times = clock.times();
   return result;
+}
+
+/// The place that was recognised says where the local maps are to each other; within them submaps
+/// are where the odometry or the graph has them.
+std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source,
+                                                          const PlaceMatch& match) const {
+  const LocalMap& target = *maps_.at(match.target.value);
+  const AssociationConfig& association = appearance_closer_.association();
+  if (!association.usesOptimisedTrajectories())
+    return appearance_closer_.close(source, target, match.T_target_source, LoopOrigin::appearance);
+  const std::vector<Pose> T_map_scan = placeScans();
+  const auto placed = [&](const LocalMap& map, const Pose& T_common_local) {
+    const Pose& T_map_local = T_map_scan[map.submaps.front()->first_scan.value];
+    return moved(placeByGraph(map, T_map_scan, association),
+                 T_common_local * T_map_local.inverse());
+  };
+  return appearance_closer_.close(placed(source, match.T_target_source),
+                                  placed(target, Pose::identity()), LoopOrigin::appearance);
 }
 
 LoopSearchResult LoopDetector::searchRetroactively() {
@@ -76,7 +93,7 @@ LoopSearchResult LoopDetector::searchRetroactively() {
 
 LoopSearchResult LoopDetector::searchUnspent(std::set<LocalMapPair>& tried) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
-  searchWindow(tried, result);
+  if (search_at_end_) searchWindow(tried, result);
   return result;
 }
 
@@ -112,7 +129,9 @@ LoopSearchResult LoopDetector::searchLowDriftWindow() {
 std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
                                 const std::vector<Pose>& T_map_scan,
                                 LoopSearchResult& result) const {
-  const auto placed = [&](LocalMapId id) { return placeByGraph(*maps_[id.value], T_map_scan); };
+  const auto placed = [&](LocalMapId id) {
+    return placeByGraph(*maps_[id.value], T_map_scan, retroactive_closer_.association());
+  };
   std::size_t done = 0;
   for (; done < candidates.size() && static_cast<int>(result.proposals.size()) < max_pairs_;
        ++done) {

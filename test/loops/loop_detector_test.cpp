@@ -76,5 +76,15 @@ TEST_F(LoopDetectorTest, aLoopThatTheUserDisabledIsNotFoundAgain) {
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
 }
 
+TEST_F(LoopDetectorTest, asInThePaperTheEndOfTheDriveStartsNoSearch) {
+  RetroactiveConfig retroactive;
+  retroactive.search_at_end = false;
+  LoopDetector detector(loops(), retroactive, {});
+  for (const LocalMapPtr& map : streetRevisit()) detector.searchByAppearance(map);
+  std::set<LocalMapPair> tried;
+  EXPECT_TRUE(detector.searchUnspent(tried).proposals.empty());
+  EXPECT_FALSE(detector.searchRetroactively().proposals.empty());
+}
+
 }  // namespace
 }  // namespace revisit_slam

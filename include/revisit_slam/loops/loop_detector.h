@@ -53,6 +53,8 @@ class LoopDetector {
 
  private:
   std::vector<Pose> placeScans() const;
+  std::vector<LoopProposal> closeByAppearance(const LocalMap& source,
+                                              const PlaceMatch& match) const;
   LoopSearchResult newSearch(LoopOrigin origin) const;
   bool searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult& result) const;
   std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
@@ -60,6 +62,7 @@ class LoopDetector {
 
   bool enabled_;
   int max_pairs_;
+  bool search_at_end_;
   PlaceRecognition recognition_;
   LoopCloser appearance_closer_, retroactive_closer_;
   RetroactiveSearch retroactive_;

@@ -18,6 +18,12 @@ AcceptancePolicy commonGates(const LoopCloserConfig& config) {
           rotationGate(config.max_rotation)};
 }
 
+/// What the paper asks for (Sec. III-C), of a registration that has a result.
+AcceptancePolicy fitnessPolicy(const LoopCloserConfig& config) {
+  return {correspondencesGate(config.registration.min_correspondences),
+          fitnessGate(config.min_fitness)};
+}
+
 /// The place was recognised: its appearance speaks for the loop, whatever the other pairs do. The
 /// submaps are where the odometry placed them.
 AcceptancePolicy appearancePolicy(const LoopCloserConfig& config) {
@@ -41,6 +47,7 @@ AcceptancePolicy retroactivePolicy(const LoopCloserConfig& config) {
 }  // namespace
 
 AcceptancePolicy acceptancePolicy(LoopOrigin origin, const LoopCloserConfig& config) {
+  if (config.acceptance == "fitness") return fitnessPolicy(config);
   return origin == LoopOrigin::appearance ? appearancePolicy(config) : retroactivePolicy(config);
 }
 

@@ -21,8 +21,18 @@ std::vector<CoarseView> viewsOf(const std::vector<PlacedSubmap>& submaps) {
   return views;
 }
 
-bool isBetter(const SubmapPair& a, const SubmapPair& b) {
-  return a.overlap != b.overlap ? a.overlap > b.overlap : a.hausdorff < b.hausdorff;
+using IsBetter = bool (*)(const SubmapPair&, const SubmapPair&);
+
+bool isNearer(const SubmapPair& a, const SubmapPair& b) {
+  return a.hausdorff < b.hausdorff;
+}
+
+bool overlapsMore(const SubmapPair& a, const SubmapPair& b) {
+  return a.overlap != b.overlap ? a.overlap > b.overlap : isNearer(a, b);
+}
+
+IsBetter choiceOf(const AssociationConfig& config) {
+  return config.target == "nearest" ? isNearer : overlapsMore;
 }
 
 }  // namespace
@@ -39,9 +49,20 @@ std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_com
   return placed;
 }
 
+std::vector<PlacedSubmap> moved(std::vector<PlacedSubmap> submaps, const Pose& T_new_common) {
+  for (PlacedSubmap& placed : submaps) {
+    placed.T_common_submap = T_new_common * placed.T_common_submap;
+    for (Pose& T_common_scan : placed.T_common_scan) T_common_scan = T_new_common * T_common_scan;
+  }
+  return submaps;
+}
+
 Path pathOf(const PlacedSubmap& placed) {
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(placed.submap->T_submap_scan.size());
+  for (const Pose& T_common_scan : placed.T_common_scan)
+    positions.push_back(T_common_scan.translation);
+  if (!positions.empty()) return Path(std::move(positions));
   const Eigen::Matrix3d R = placed.T_common_submap.rotationMatrix();
   for (const Pose& T_submap_scan : placed.submap->T_submap_scan)
     positions.push_back(R * T_submap_scan.translation + placed.T_common_submap.translation);
@@ -53,6 +74,7 @@ std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
                                   const AssociationConfig& config) {
   const std::vector<Path> source_paths = pathsOf(sources), target_paths = pathsOf(targets);
   const std::vector<CoarseView> source_views = viewsOf(sources), target_views = viewsOf(targets);
+  const IsBetter isBetter = choiceOf(config);
   std::vector<SubmapPair> pairs;
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::optional<SubmapPair> best;

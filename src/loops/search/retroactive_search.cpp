@@ -26,10 +26,15 @@ int distanceBetween(const LocalMapPair& a, const LocalMapPair& b) {
 
 }  // namespace
 
-std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan) {
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan,
+                                       const AssociationConfig& config) {
   std::vector<PlacedSubmap> placed;
-  for (const SubmapPtr& submap : map.submaps)
-    placed.push_back({submap, T_map_scan[submap->first_scan.value]});
+  for (const SubmapPtr& submap : map.submaps) {
+    const auto first = T_map_scan.begin() + submap->first_scan.value,
+               last = T_map_scan.begin() + submap->lastScan().value;
+    placed.push_back({submap, *first});
+    if (config.usesOptimisedTrajectories()) placed.back().T_common_scan.assign(first, last + 1);
+  }
   return placed;
 }
 
@@ -77,8 +82,8 @@ bool RetroactiveSearch::meetAgain(const LocalMap& later, const LocalMap& earlier
   const AssociationConfig& limits = config_.association;
   if (travelledBetween(*later.submaps.front(), *earlier.submaps.back()) >= limits.min_travelled)
     return true;
-  const std::vector<PlacedSubmap> targets = placeByGraph(earlier, T_map_scan);
-  for (const PlacedSubmap& source : placeByGraph(later, T_map_scan))
+  const std::vector<PlacedSubmap> targets = placeByGraph(earlier, T_map_scan, limits);
+  for (const PlacedSubmap& source : placeByGraph(later, T_map_scan, limits))
     for (const PlacedSubmap& target : targets)
       if (travelledBetween(*source.submap, *target.submap) >= limits.min_travelled &&
           comeWithin(pathOf(source), pathOf(target), limits.max_gap))

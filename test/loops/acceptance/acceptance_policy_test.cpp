@@ -43,6 +43,20 @@ TEST(AcceptancePolicy, ListsTheGatesOfEachOriginInOrder) {
   EXPECT_EQ(gateNames(), retroactive);
 }
 
+TEST(AcceptancePolicy, ThePaperAsksForFitnessAlone) {
+  LoopCloserConfig config;
+  config.acceptance = "fitness";
+  for (const LoopOrigin origin : {LoopOrigin::appearance, LoopOrigin::retroactive}) {
+    EXPECT_EQ(namesOf(acceptancePolicy(origin, config)), (Names{"correspondences", "fitness"}));
+    RegisteredPair pair = goodPair();
+    pair.registration.T_target_source.translation.x() = 60.0;
+    pair.registration.coherence = 0.0;
+    EXPECT_EQ(outcomes(origin, {pair}, config), Names{"accepted"});
+    pair.registration.fitness = 0.25;
+    EXPECT_EQ(outcomes(origin, {pair}, config), Names{"fitness"});
+  }
+}
+
 TEST(AcceptancePolicy, WhatTheFirstGateOfTheListRejectsIsSaid) {
   for (const LoopOrigin origin : {LoopOrigin::appearance, LoopOrigin::retroactive}) {
     RegisteredPair pair = goodPair();

@@ -81,5 +81,33 @@ TEST(SubmapAssociation, TakesTheTargetThatSawTheSameFromElsewhere) {
   EXPECT_EQ(associate({lookingAhead(50, 2)}, targets, {})[0].target, 2u);
 }
 
+TEST(SubmapAssociation, AsInThePaperTheNearestTargetWhateverItSaw) {
+  const std::vector<PlacedSubmap> targets{lookingAhead(0, 0), lookingAhead(25, 0),
+                                          lookingAhead(50, 0)};
+  AssociationConfig config;
+  config.target = "nearest";
+  const auto back = associate({lookingAhead(65, 0, M_PI)}, targets, config);
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_EQ(back[0].target, 2u);  // 65 to 40 is nearest to 50 to 75
+}
+
+TEST(SubmapAssociation, ComparesTrajectoriesAsTheGraphHasThemWhereItIsAsked) {
+  PlacedSubmap bent = placed(0, 0);
+  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({{}, {1.0 * i, 0.2 * i, 0.0}});
+  const auto pairs = associate({bent}, {placed(0, 0)}, {});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(pairs[0].hausdorff, 5.0, 1e-9);
+}
+
+TEST(SubmapAssociation, MovesTrajectoriesAlongWithTheirSubmaps) {
+  PlacedSubmap bent = placed(0, 0);
+  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({{}, {1.0 * i, 0.2 * i, 0.0}});
+  const Pose T_new_common{expSO3({0, 0, 0.5 * M_PI}), {10, 0, 0}};
+  for (const PlacedSubmap& here : moved({bent, placed(0, 0)}, T_new_common)) {
+    EXPECT_NEAR((pathOf(here)[0] - Eigen::Vector3d(10, 0, 0)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(pathOf(here)[25].y(), 25.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace revisit_slam

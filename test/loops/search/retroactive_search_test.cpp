@@ -50,6 +50,16 @@ TEST_F(RetroactiveSearchTest, FindsMissedLoops) {
   EXPECT_FALSE(contains(candidates, 9, 3));  // far apart
 }
 
+TEST_F(RetroactiveSearchTest, RecomputesTrajectoriesFromTheGraphWhereItIsAsked) {
+  AssociationConfig config;
+  EXPECT_TRUE(placeByGraph(*maps_[7], T_map_scan_, config).at(0).T_common_scan.empty());
+  config.trajectories = "optimised";
+  const PlacedSubmap placed = placeByGraph(*maps_[7], T_map_scan_, config).at(0);
+  ASSERT_EQ(placed.T_common_scan.size(), 100u);
+  EXPECT_EQ(placed.T_common_submap.translation, T_map_scan_[700].translation);
+  EXPECT_EQ(placed.T_common_scan.back().translation, T_map_scan_[799].translation);
+}
+
 TEST_F(RetroactiveSearchTest, LooksOnlyBetweenTheClosures) {
   for (const RetroactiveCandidate& candidate : search(LocalMapId{6}, 8)) {
     EXPECT_GT(candidate.maps.first.value, 6u);

@@ -33,6 +33,8 @@ class LoopCloser {
   /// Takes over the limits of the gates; how submaps are registered stays.
   void reconfigure(const LoopCloserConfig& config) { config_ = config; }
 
+  const AssociationConfig& association() const { return config_.association; }
+
   /// From a guess of where the source is in the target (place recognition); submaps are placed in
   /// their local maps by the odometry.
   std::vector<LoopProposal> close(const LocalMap& source, const LocalMap& target,

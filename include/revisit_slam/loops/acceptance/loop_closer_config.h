@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "revisit_slam/loops/acceptance/pairwise_consistency.h"
 #include "revisit_slam/loops/association/submap_association.h"
 #include "revisit_slam/loops/registration/fine_registration_config.h"
@@ -11,6 +13,7 @@ namespace revisit_slam {
 struct LoopCloserConfig {
   AssociationConfig association;
   FineRegistrationConfig registration;
+  std::string acceptance = "consistent";
   double min_fitness = 0.25;
   double min_coherence = 0.5;
   double max_translation = 6.0;
@@ -31,6 +34,9 @@ struct LoopCloserConfig {
   void visit(Visitor& v) {
     v.group("association", association);
     v.group("registration", registration);
+    v("acceptance", acceptance, Choices{"consistent", "fitness"}, "",
+      "what a registered pair of submaps has to pass. consistent: all gates below; fitness: "
+      "min_fitness alone, as in the paper");
     v("min_fitness", min_fitness, Range{0.0, 1.0}, "",
       "tau_f, smallest share of voxels with a counterpart in the other submap. Raise it if wrong "
       "loops are accepted; lower it if right loops of submaps that overlap little are rejected");

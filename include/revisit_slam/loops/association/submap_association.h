@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "revisit_slam/loops/association/hausdorff.h"
@@ -13,6 +14,10 @@ struct AssociationConfig {
   double max_hausdorff = 100.0;
   double max_gap = 40.0;
   double min_travelled = 0.0;
+  std::string target = "overlap";
+  std::string trajectories = "odometry";
+
+  bool usesOptimisedTrajectories() const { return trajectories == "optimised"; }
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -28,6 +33,12 @@ struct AssociationConfig {
       "smallest travelled distance in metres between two submaps that are compared. Raise it if "
       "submaps are matched with their neighbours along the drive; lower it if loops shorter than "
       "this are missed");
+    v("target", target, Choices{"overlap", "nearest"}, "",
+      "which submap of the other local map a submap is registered to. overlap: the one that sees "
+      "most of the same; nearest: the one of the smallest Hausdorff distance, as in the paper");
+    v("trajectories", trajectories, Choices{"odometry", "optimised"}, "",
+      "shape of the trajectories that are compared. odometry: as they were when their submap was "
+      "closed; optimised: recomputed after each optimisation, as in the paper");
   }
 };
 
@@ -36,6 +47,8 @@ struct AssociationConfig {
 struct PlacedSubmap {
   SubmapPtr submap;
   Pose T_common_submap;
+  /// Of each scan, as the graph has them; empty: from T_common_submap on as the odometry had them.
+  std::vector<Pose> T_common_scan = {};
 };
 
 /// Travelled distance from the end of the earlier one to the beginning of the later one, m.
@@ -43,6 +56,9 @@ double travelledBetween(const Submap& later, const Submap& earlier);
 
 /// The submaps of a local map as the odometry placed them, with the local map at `T_common_local`.
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local);
+
+/// The same submaps in another common frame.
+std::vector<PlacedSubmap> moved(std::vector<PlacedSubmap> submaps, const Pose& T_new_common);
 
 /// The trajectory of a submap in the common frame.
 Path pathOf(const PlacedSubmap& placed);
@@ -56,9 +72,9 @@ struct SubmapPair {
 };
 
 /// Z_ij: for each source submap one target submap whose Hausdorff distance is at most tau_H (paper
-/// Sec. III-C). The paper takes the nearest; we take the one that sees most of the same, and of
-/// those that see equally much the nearest: a sensor that looks ahead sees on its way back what it
-/// saw from another stretch of the way out.
+/// Sec. III-C). The paper takes the nearest (`target` nearest); by default it is the one that sees
+/// most of the same, and of those that see equally much the nearest: a sensor that looks ahead sees
+/// on its way back what it saw from another stretch of the way out.
 std::vector<SubmapPair> associate(const std::vector<PlacedSubmap>& sources,
                                   const std::vector<PlacedSubmap>& targets,
                                   const AssociationConfig& config);

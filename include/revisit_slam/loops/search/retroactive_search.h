@@ -13,10 +13,17 @@ namespace revisit_slam {
 
 struct RetroactiveConfig {
   bool enabled = true;
-  AssociationConfig association{100.0, 40.0, 100.0};
+  AssociationConfig association = withNeighboursLeftOut();
   double low_drift_window = 300.0;
   int novelty_range = 5;
   int max_pairs = 20;
+  bool search_at_end = true;
+
+  static AssociationConfig withNeighboursLeftOut() {
+    AssociationConfig config;
+    config.min_travelled = 100.0;
+    return config;
+  }
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -36,6 +43,9 @@ struct RetroactiveConfig {
       "number of pairs of submaps from which on a search leaves further local maps to the search "
       "after the next optimisation. Raise it if closing loops takes many optimisations; lower it "
       "if a search takes too long");
+    v("search_at_end", search_at_end,
+      "true: the local maps since the last loop by appearance are searched when the drive is over; "
+      "false: only a loop by appearance starts a search, as in the paper");
   }
 };
 
@@ -49,7 +59,8 @@ struct RetroactiveCandidate {
 };
 
 /// The submaps of a local map as the graph placed them; `T_map_scan` counts by scan id.
-std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan);
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan,
+                                       const AssociationConfig& config);
 
 /// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E), and those
 /// that the odometry alone places well.
