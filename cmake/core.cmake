@@ -26,6 +26,18 @@ foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
   list(APPEND core_sources ${folder_sources})
 endforeach()
 
+# Programs carry the presets in cfg/ with them: they run wherever they are.
+file(GLOB preset_files CONFIGURE_DEPENDS cfg/*.yaml)
+set(PRESETS "")
+foreach(preset_file ${preset_files})
+  get_filename_component(preset ${preset_file} NAME_WE)
+  file(READ ${preset_file} preset_text)
+  string(APPEND PRESETS "    {\"${preset}\", R\"yaml(${preset_text})yaml\"},\n")
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${preset_files})
+configure_file(src/io/presets.cpp.in presets.cpp @ONLY)
+list(APPEND core_sources ${CMAKE_CURRENT_BINARY_DIR}/presets.cpp)
+
 add_library(revisit_slam_core STATIC ${core_sources})
 revisit_slam_target_options(revisit_slam_core)
 target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)

@@ -6,6 +6,7 @@
 #include "offline/offline_run.h"
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/parameter_file.h"
+#include "revisit_slam/io/presets.h"
 #include "revisit_slam/slam/renamed_parameters.h"
 #include "revisit_slam/util/process_usage.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> bags, dataset;
-  std::string topic, out, parameter_file;
+  std::string topic, out, preset, parameter_file;
   std::vector<std::string> settings;
   std::size_t max_scans = 0;
   int threads = 0;
@@ -28,6 +29,7 @@ SlamConfig readConfig(const Options& options) {
     for (const std::string& warning : assign(parameters, values, kRenamedParameters))
       std::cerr << "offline: " << warning << "\n";
   };
+  if (!options.preset.empty()) assignAll(readPreset(options.preset));
   if (!options.parameter_file.empty()) assignAll(readParameterFile(options.parameter_file));
   assignAll(parseSettings(options.settings));
   if (options.threads > 0)
@@ -48,6 +50,8 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->expected(2);
   app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
   app.add_option("--out", options.out, "folder for the results; made if missing")->required();
+  app.add_option("--preset", options.preset, "parameters to start from, before --params and --set")
+      ->check(CLI::IsMember(presetNames()));
   app.add_option("--params", options.parameter_file, "YAML file of parameters");
   app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();
   app.add_option("--threads", options.threads, "threads; results do not depend on it")

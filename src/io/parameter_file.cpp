@@ -31,6 +31,16 @@ std::vector<NamedText> readParameterFile(const std::string& path) {
   return values;
 }
 
+std::vector<NamedText> parseParameterText(const std::string& yaml) {
+  std::vector<NamedText> values;
+  try {
+    flatten(YAML::Load(yaml), "", values);
+  } catch (const YAML::Exception& error) {
+    throw ParameterError(std::string("cannot read parameters: ") + error.what());
+  }
+  return values;
+}
+
 nlohmann::json toJson(const std::vector<Parameter>& parameters) {
   nlohmann::json json = nlohmann::json::object();
   for (const Parameter& parameter : parameters)

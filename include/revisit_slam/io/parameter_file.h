@@ -13,6 +13,9 @@ namespace revisit_slam {
 /// @throws ParameterError when the file cannot be read or is not made of maps and scalars.
 std::vector<NamedText> readParameterFile(const std::string& path);
 
+/// The same of YAML text. @throws ParameterError likewise.
+std::vector<NamedText> parseParameterText(const std::string& yaml);
+
 /// The values in force, nested as the groups are.
 nlohmann::json toJson(const std::vector<Parameter>& parameters);
 
