@@ -52,8 +52,12 @@ def judgement(estimate: Dict[str, Any]) -> Judgement:
         result["rpe_percent"] = estimate["rpe"]["translation_percent"]
     if "consistency" in estimate:
         consistency = estimate["consistency"]
-        result["consistency_m"] = consistency["mean_rms_m"]
-        result["consistency_sd_m"] = consistency["standard_deviation_m"]
+        of_pairs, of_cells = consistency["of_pairs"], consistency["of_cells"]
+        result["consistency_m"] = of_pairs["mean_rms_m"]
+        result["consistency_sd_m"] = of_pairs["standard_deviation_m"]
+        result["consistency_pairs"] = of_pairs["count"]
+        result["pooled_consistency_m"] = of_cells["mean_rms_m"]
+        result["thickness_m"] = consistency["thickness_m"]
         result["consistency_paired_share"] = consistency["paired_share"]
         result["consistency_cells"] = len(consistency["cells"])
     return result

@@ -73,8 +73,9 @@ def cells_picture(estimate: Estimate, cell_size: float, limits: Tuple[float, flo
                       fontweight="bold", color="white")
     c = estimate.summary["consistency"]
     axes.set_title(
-        f"{estimate.name}: {len(estimate.cells)} places visited again, RMS "
-        f"{c['mean_rms_m']:.3f} ± {c['standard_deviation_m']:.3f} m, "
+        f"{estimate.name}: {len(estimate.cells)} places visited again, RMS of "
+        f"{c['of_pairs']['count']} pairs of maps {c['of_pairs']['mean_rms_m']:.3f} ± "
+        f"{c['of_pairs']['standard_deviation_m']:.3f} m, "
         f"{100 * c['paired_share']:.1f} % of points paired",
         loc="left",
         fontsize=11,

@@ -123,9 +123,11 @@ std::vector<std::string> tableRow(const EstimateEvaluation& e) {
                            cell(rpe.rotation_deg_per_m, 5)});
   }
   if (e.consistency)
-    row.insert(row.end(),
-               {std::to_string(e.consistency->cells.size()), cell(e.consistency->mean, 4),
-                cell(e.consistency->standard_deviation, 4), cell(100.0 * e.consistency->share, 1)});
+    row.insert(
+        row.end(),
+        {std::to_string(e.consistency->of_pairs.count), cell(e.consistency->of_pairs.mean, 4),
+         cell(e.consistency->of_pairs.standard_deviation, 4), cell(e.consistency->of_cells.mean, 4),
+         cell(e.consistency->thickness.rms(), 4), cell(100.0 * e.consistency->share, 1)});
   return row;
 }
 
@@ -135,7 +137,8 @@ void printTable(const std::vector<EstimateJudge>& judges) {
   if (first.trajectory)
     table[0].insert(table[0].end(), {"left out", "ATE [m]", "median", "max", "RPE [%]", "[deg/m]"});
   if (first.consistency)
-    table[0].insert(table[0].end(), {"revisits", "map RMS [m]", "std", "paired [%]"});
+    table[0].insert(table[0].end(), {"pairs of maps", "RMS [m]", "std", "pooled RMS [m]",
+                                     "thickness [m]", "paired [%]"});
   for (const EstimateJudge& judge : judges) table.push_back(tableRow(judge.evaluation()));
   for (const auto& row : table) {
     for (std::size_t column = 0; column < row.size(); ++column) {

@@ -73,19 +73,20 @@ void ConsistencyBuilder::closeSegment(const Visit& end) {
   Cell& cell = cells_[end.cell];
   cell.maps[end.segment] = cell.grids[end.segment].take().points;
   if (++cell.closed < cell.maps.size()) return;
-  results_[end.cell].distances = compare(cell);
+  compare(cell, results_[end.cell]);
   keepIfAmongTheWorst(cell, results_[end.cell].distances);
   cell.maps = {};
 }
 
-NearestDistances ConsistencyBuilder::compare(const Cell& cell) const {
+void ConsistencyBuilder::compare(const Cell& cell, CellConsistency& result) const {
   const std::vector<RevisitSegment>& segments = cell.revisit.segments;
-  NearestDistances sum;
   for (std::size_t a = 0; a < segments.size(); ++a)
-    for (std::size_t b = a + 1; b < segments.size(); ++b)
-      if (areComparable(segments[a], segments[b], config_))
-        sum += nearestDistances(cell.maps[a], cell.maps[b], config_.max_distance);
-  return sum;
+    for (std::size_t b = a + 1; b < segments.size(); ++b) {
+      if (!areComparable(segments[a], segments[b], config_)) continue;
+      result.pairs.push_back(nearestDistances(cell.maps[a], cell.maps[b], config_.max_distance));
+      result.distances += result.pairs.back();
+    }
+  result.thickness = planeThickness(cell.maps, config_.thickness_edge);
 }
 
 void ConsistencyBuilder::keepIfAmongTheWorst(Cell& cell, const NearestDistances& distances) {

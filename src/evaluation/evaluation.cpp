@@ -68,18 +68,27 @@ json toJson(const RevisitCell& cell) {
           {"segments", segments}};
 }
 
+json toJson(const RmsStatistics& rms) {
+  return {{"count", rms.count},
+          {"mean_rms_m", number(rms.mean)},
+          {"standard_deviation_m", number(rms.standard_deviation)}};
+}
+
 json toJson(const MapConsistency& consistency) {
   json cells = json::array(), worst = json::array();
   for (const CellConsistency& cell : consistency.cells) {
     cells.push_back(toJson(cell.cell));
     cells.back()["rms_m"] = cell.distances.rms();
+    for (const NearestDistances& pair : cell.pairs)
+      cells.back()["pairs_rms_m"].push_back(number(pair.rms()));
     cells.back()["points"] = cell.distances.points;
     cells.back()["paired"] = cell.distances.paired;
   }
   for (const CellMaps& maps : consistency.worst)
     worst.push_back({maps.cell.index.x(), maps.cell.index.y()});
-  return {{"mean_rms_m", number(consistency.mean)},
-          {"standard_deviation_m", number(consistency.standard_deviation)},
+  return {{"of_pairs", toJson(consistency.of_pairs)},
+          {"of_cells", toJson(consistency.of_cells)},
+          {"thickness_m", number(consistency.thickness.rms())},
           {"paired_share", number(consistency.share)},
           {"cells_without_pairs", consistency.cells_without_pairs},
           {"cells", cells},

@@ -62,19 +62,31 @@ TEST(Consistency, OfTruePosesIsAboutNoiseAndVoxels) {
   const MapConsistency result = street().judge(street().truth());
   ASSERT_GE(result.cells.size(), 3u);
   EXPECT_EQ(result.cells_without_pairs, 0u);
-  EXPECT_GT(result.mean, 0.02);  // the noise of the scans
-  EXPECT_LT(result.mean, 0.5 * ConsistencyConfig{}.voxel_size);
-  EXPECT_LT(result.standard_deviation, 0.3 * result.mean);
+  EXPECT_GT(result.of_cells.mean, 0.02);  // the noise of the scans
+  EXPECT_LT(result.of_cells.mean, 0.5 * ConsistencyConfig{}.voxel_size);
+  EXPECT_LT(result.of_cells.standard_deviation, 0.3 * result.of_cells.mean);
   EXPECT_GT(result.share, 0.98);
 }
 
 TEST(Consistency, GrowsWithMisalignment) {
   double previous = 0.0;
   for (const double metres : {0.0, 0.05, 0.1, 0.2, 0.4, 0.8}) {
-    const double mean = street().judge(street().shifted(metres)).mean;
+    const double mean = street().judge(street().shifted(metres)).of_cells.mean;
     EXPECT_GT(mean, 1.02 * previous) << metres;
     previous = mean;
   }
+}
+
+TEST(Consistency, MeasuresTheThicknessOfSurfacesInAllCells) {
+  ConsistencyConfig config;
+  config.kept_cells = 100;
+  const MapConsistency result = street().judge(street().shifted(0.2), config);
+  PlaneThickness expected;
+  for (const CellMaps& cell : result.worst)
+    expected += planeThickness(cell.maps, config.thickness_edge);
+  EXPECT_GT(expected.points, 1000u);
+  EXPECT_EQ(result.thickness.points, expected.points);
+  EXPECT_NEAR(result.thickness.rms(), expected.rms(), 1e-9);
 }
 
 TEST(Consistency, OfMapsFarApartHasFewPairs) {
@@ -89,7 +101,7 @@ TEST(Consistency, IsUnchangedByARigidMotionOfTheWholeEstimate) {
   const MapConsistency here = street().judge(estimate);
   const MapConsistency there = street().judge(moved(random.pose(500.0), estimate));
   ASSERT_EQ(here.cells.size(), there.cells.size());
-  EXPECT_NEAR(here.mean, there.mean, 1e-4 * here.mean);
+  EXPECT_NEAR(here.of_cells.mean, there.of_cells.mean, 1e-4 * here.of_cells.mean);
   EXPECT_NEAR(here.share, there.share, 1e-4);
 }
 
@@ -118,7 +130,7 @@ TEST(Consistency, WithoutScansIsUnknown) {
   const MapConsistency result = builder.finish();
   EXPECT_TRUE(result.cells.empty());
   EXPECT_GE(result.cells_without_pairs, 3u);
-  EXPECT_TRUE(std::isnan(result.mean));
+  EXPECT_TRUE(std::isnan(result.of_cells.mean));
 }
 
 TEST(Consistency, WantsOnlyScansOfRevisitedPlaces) {

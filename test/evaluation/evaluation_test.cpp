@@ -38,12 +38,22 @@ TEST(Evaluation, TablesHaveAlignedPositionsBesideTheReference) {
 TEST(Evaluation, UnknownNumbersAreKeptOutOfTheMeans) {
   RevisitCell place{
       {1, -2}, {20, -40}, {{{{stampOf(0), stampOf(9)}}}, {{{stampOf(500), stampOf(509)}}}}};
-  const MapConsistency result = summarise(
-      {{place, {100, 50, 50 * 0.04}}, {place, {100, 0, 0.0}}, {place, {100, 100, 100 * 0.16}}}, {});
+  // Three passes of the first place: two pairs of 0.1 m and 0.3 m RMS, one without partners.
+  const std::vector<NearestDistances> pairs{{40, 10, 10 * 0.01}, {30, 30, 30 * 0.09}, {30, 0, 0.0}};
+  const MapConsistency result =
+      summarise({{place, pairs, {100, 50, 50 * 0.04}, {0.2, 10}},
+                 {place, {{100, 0, 0.0}}, {100, 0, 0.0}, {}},
+                 {place, {{100, 100, 100 * 0.16}}, {100, 100, 100 * 0.16}, {0.1, 20}}},
+                {});
   EXPECT_EQ(result.cells.size(), 2u);
   EXPECT_EQ(result.cells_without_pairs, 1u);
-  EXPECT_NEAR(result.mean, 0.3, 1e-12);
-  EXPECT_NEAR(result.standard_deviation, 0.1, 1e-12);
+  EXPECT_EQ(result.of_cells.count, 2u);
+  EXPECT_NEAR(result.of_cells.mean, 0.3, 1e-12);
+  EXPECT_NEAR(result.of_cells.standard_deviation, 0.1, 1e-12);
+  EXPECT_EQ(result.of_pairs.count, 3u);
+  EXPECT_NEAR(result.of_pairs.mean, (0.1 + 0.3 + 0.4) / 3.0, 1e-12);
+  EXPECT_NEAR(result.of_pairs.standard_deviation, std::sqrt(0.14 / 9.0), 1e-12);
+  EXPECT_NEAR(result.thickness.rms(), 0.1, 1e-12);
   EXPECT_NEAR(result.share, 0.5, 1e-12);
 }
 

@@ -53,7 +53,7 @@ class ConsistencyBuilder {
   const Visit* visitAt(Stamp stamp) const;
   void closeBefore(Stamp stamp);
   void closeSegment(const Visit& end);
-  NearestDistances compare(const Cell& cell) const;
+  void compare(const Cell& cell, CellConsistency& result) const;
   void keepIfAmongTheWorst(Cell& cell, const NearestDistances& distances);
 
   ConsistencyConfig config_;

@@ -13,6 +13,7 @@ struct ConsistencyConfig {
   double radius = 30.0;
   double voxel_size = 0.25;
   double max_distance = 1.0;
+  double thickness_edge = 1.0;
   int kept_cells = 3;
 
   template <typename Visitor>
@@ -28,6 +29,8 @@ struct ConsistencyConfig {
     v("voxel_size", voxel_size, Range{0.02, 5.0}, "m",
       "edge of the voxels whose means are compared");
     v("max_distance", max_distance, Range{0.01, 10.0}, "m", "points farther apart are no pair");
+    v("thickness_edge", thickness_edge, Range{0.1, 10.0}, "m",
+      "edge of the cubes in which the thickness of surfaces is measured");
     v("kept_cells", kept_cells, Range{0, 1000}, "",
       "cells with the largest RMS whose maps are kept");
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "revisit_slam/evaluation/nearest_distances.h"
+#include "revisit_slam/evaluation/plane_thickness.h"
 #include "revisit_slam/evaluation/revisit_cells.h"
 
 namespace revisit_slam {
@@ -12,8 +13,16 @@ namespace revisit_slam {
 /// How well the local maps of a place agree that were made at different times.
 struct CellConsistency {
   RevisitCell cell;
-  /// Over every pair of comparable segments, both directions.
-  NearestDistances distances;
+  std::vector<NearestDistances> pairs;  ///< of comparable segments, each in both directions
+  NearestDistances distances;           ///< their sum
+  PlaneThickness thickness;             ///< of all segments together
+};
+
+/// Of values in m; mean and (population) standard deviation are NaN without any.
+struct RmsStatistics {
+  std::size_t count = 0;
+  double mean = 0.0;
+  double standard_deviation = 0.0;
 };
 
 /// The local maps of one cell, one for each of its segments.
@@ -28,9 +37,13 @@ struct CellMaps {
 struct MapConsistency {
   std::vector<CellConsistency> cells;  ///< with pairs, in the order of the revisits
   std::size_t cells_without_pairs = 0;
-  /// Mean and (population) standard deviation of the cells' RMS, m; NaN without cells.
-  double mean = 0.0;
-  double standard_deviation = 0.0;
+  /// Of the RMS of each pair of local maps, as the paper prints it.
+  RmsStatistics of_pairs;
+  /// Ours: of the RMS of each cell, its pairs pooled. A place counts once, however often it was
+  /// visited.
+  RmsStatistics of_cells;
+  /// Ours: independent of nearest neighbours.
+  PlaneThickness thickness;
   /// Points that found a partner, of all points that looked for one, all cells.
   double share = 0.0;
   std::vector<CellMaps> worst;  ///< largest RMS first

@@ -168,10 +168,10 @@ void OfflineRun::judgeConsistency(RunSummary& summary) {
       filesOf(slam_.session()->id()).consistency(slam_.session()->graph());
   summary.revisited_cells = consistency.cells.size();
   if (consistency.cells.empty()) return;
-  summary.consistency_mean = consistency.mean;
-  summary.consistency_deviation = consistency.standard_deviation;
-  progress_.say("revisited places agree within " + std::to_string(consistency.mean) + " m RMS (" +
-                std::to_string(consistency.cells.size()) + " cells)");
+  summary.consistency_mean = consistency.of_pairs.mean;
+  summary.consistency_deviation = consistency.of_pairs.standard_deviation;
+  progress_.say("revisited places agree within " + std::to_string(consistency.of_pairs.mean) +
+                " m RMS (" + std::to_string(consistency.cells.size()) + " cells)");
 }
 
 void OfflineRun::countLoops(RunSummary& summary) const {
