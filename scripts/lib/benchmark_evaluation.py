@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional
+
+import numpy as np
 
 from benchmark_process import run_or_stop
 from benchmark_sequences import Sequence
@@ -36,6 +38,8 @@ def evaluation_file(
         print(f"{sequence.name}: evaluating", flush=True)
         words: List[Any] = [evaluator, "--quiet", "--bag", sequence.bag, "--out", folder]
         words += ["--topic", sequence.topic] if sequence.topic else []
+        words += sequence.settings()
+        words += ["--set", "consistency/max_height_difference=1000"] if sequence.returns else []
         words += ["--reference", sequence.reference] if sequence.reference else []
         for name, estimate in estimates.items():
             words += ["--estimate", f"{name}={estimate}"]
@@ -63,6 +67,18 @@ def judgement(estimate: Dict[str, Any]) -> Judgement:
     return result
 
 
+def level(path: Path) -> Optional[float]:
+    """Of a drive that returns, m: height of its end above where it passed nearest, half a minute
+    or more before."""
+    estimate = read_tum(path)
+    before = estimate.positions[estimate.stamps < estimate.stamps[-1] - 30.0]
+    if len(before) == 0:
+        return None
+    end = estimate.positions[-1]
+    nearest = before[np.argmin(np.linalg.norm(before[:, :2] - end[:2], axis=1))]
+    return float(end[2] - nearest[2])
+
+
 def accuracy_alone(sequence: Sequence, estimates: Dict[str, Path]) -> Dict[str, Judgement]:
     """Where there is no `evaluate`."""
     if sequence.reference is None:
@@ -80,4 +96,8 @@ def evaluated(
     if not estimates or not evaluator.is_file():
         return accuracy_alone(sequence, estimates)
     path = evaluation_file(sequence, estimates, folder / "evaluation", evaluator)
-    return {e["name"]: judgement(e) for e in json.loads(path.read_text())["estimates"]}
+    judged = {e["name"]: judgement(e) for e in json.loads(path.read_text())["estimates"]}
+    if sequence.returns:
+        for name, estimate in estimates.items():
+            judged[name]["level_m"] = level(estimate)
+    return judged

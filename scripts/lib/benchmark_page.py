@@ -4,14 +4,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
-from benchmark_systems import SYSTEMS
+import paper_tables
+from benchmark_datasets import averages
+from benchmark_systems import SYSTEMS, System
 
 Result = Dict[str, Any]
 OURS = SYSTEMS[0].name
-PEERS = [system.name for system in SYSTEMS if system.settings is None]
-ABLATIONS = [system.name for system in SYSTEMS if system.settings]
+VARIANTS = [system.name for system in SYSTEMS if system.arguments]
 
 
 class Column(NamedTuple):
@@ -27,6 +28,9 @@ COLUMNS = (
     Column("ATE [m]", "ate_m", 3),
     Column("RPE [%]", "rpe_percent", 2),
     Column("consistency [m]", "consistency_m", 3),
+    Column("pooled [m]", "pooled_consistency_m", 3),
+    Column("thickness [m]", "thickness_m", 3),
+    Column("level [m]", "level_m", 2, None),
     Column("scan, median [ms]", "median_ms", 1),
     Column("p99 [ms]", "p99_ms", 1),
     Column("max [ms]", "max_ms", 1),
@@ -36,10 +40,13 @@ COLUMNS = (
     Column("disturbed [%]", "others", 0, None),
 )
 
+# What sensor and measure allow.
+OF_TRUTH = ("consistency_m", "pooled_consistency_m", "thickness_m")
+
 METHOD = """\
 Everything runs one after the other on the same cores, each run in a process of its own, with each
-system's defaults. All poses are those of `base_link` at the instant of the scan's last point, to
-which all these systems deskew.
+system's defaults (GenZ-ICP and MAD-ICP with deskewing, as the others). All poses are those of `base_link` at the instant of the scan's last point, to
+which all these systems deskew. Retro-SLAM is the implementation of the paper's own authors.
 
 - Peers are driven as their own pipelines drive them, from one reader that gives points and point
   times. Their time and CPU leave out reading the bag and loading Python packages; ours leaves out
@@ -53,11 +60,19 @@ which all these systems deskew.
 - Peak memory is that of the whole process; before the first scan the peers' Python takes the part
   in parentheses.
 - ATE: RMSE of the positions after rigid alignment. RPE: relative translation error over 100 to
-  800 m. Consistency: RMS distance of neighbouring points between the passes of places visited
-  more than once, mean over places (± standard deviation); see `docs/evaluation.md`. Loops of
+  800 m. Consistency: RMS distance of neighbouring points between two passes of a place, mean over
+  the pairs of passes (± standard deviation), as in the paper. Ours: pooled, one RMS for all pairs
+  of a place; thickness, of surfaces that several passes show. Level, of a drive without a truth
+  that returns: height of its end above its first pass; see `docs/evaluation.md`. Loops of
   Retro-SLAM and revisit_slam are pairs of submaps, those of KISS-SLAM pairs of local maps: their
   numbers are not comparable.
 """
+
+
+NamesOf = Callable[[Dict[str, Result]], List[str]]
+Columns = Tuple[Column, ...]
+BEST_OF = ("ate_m", "rpe_percent", "consistency_m", "thickness_m", "cpu_ms_per_scan")
+BEST_OF += ("peak_memory_mb",)
 
 
 def number(value: Any, digits: int) -> str:
@@ -67,7 +82,7 @@ def number(value: Any, digits: int) -> str:
 def cell(result: Result, column: Column) -> str:
     value = result.get(column.key)
     if column.key == "others":
-        return f"{100 * value:.0f}"
+        return "" if value is None else f"{100 * value:.0f}"
     text = number(value, column.digits)
     if column.key == "peak_memory_mb" and "memory_before_first_scan_mb" in result:
         text += f" ({result['memory_before_first_scan_mb']:.0f})"
@@ -76,21 +91,30 @@ def cell(result: Result, column: Column) -> str:
     return text
 
 
+def systems_of(results: Dict[str, Result]) -> List[System]:
+    """In the order of the tables; those whose trajectories were given come last."""
+    known = [system for system in SYSTEMS if system.name in results]
+    names = {system.name for system in known}
+    return known + [System(n, f"{n} (given)") for n in sorted(results) if n not in names]
+
+
+def peers_of(results: Dict[str, Result]) -> List[str]:
+    return [system.name for system in systems_of(results) if not system.is_ours()]
+
+
 def table(results: Dict[str, Result], truth: Result) -> List[str]:
     """truth: what the true trajectory reaches; its consistency is what sensor and measure allow."""
     shown = [c for c in COLUMNS if any(r.get(c.key) is not None for r in results.values())]
     lines = ["| | " + " | ".join(column.title for column in shown) + " |"]
     lines.append("|---|" + "---:|" * len(shown))
-    for system in SYSTEMS:
-        result = results.get(system.name)
-        if result is None:
-            continue
+    for system in systems_of(results):
+        result = results[system.name]
         cells = [cell(result, column) for column in shown]
         if result["status"] != "ok":
-            cells[0] = f"{result['status']} after {result['wall_seconds']:.0f} s"
+            cells[0] = f"{result['status']} after {result.get('wall_seconds', 0.0):.0f} s"
         lines.append(f"| {system.title} | " + " | ".join(cells) + " |")
     if truth.get("consistency_m") is not None and any(c.key == "consistency_m" for c in shown):
-        cells = [cell(truth, c) if c.key == "consistency_m" else "" for c in shown]
+        cells = [cell(truth, c) if c.key in OF_TRUTH else "" for c in shown]
         lines.append("| *true trajectory* | " + " | ".join(cells) + " |")
     return lines
 
@@ -106,21 +130,42 @@ def better(results: Dict[str, Result], names: List[str], column: Column) -> List
     return sorted(lower, key=lambda item: item[1])
 
 
-def losses(
-    sequences: Dict[str, Any], names: List[str], columns: Tuple[Column, ...]
-) -> List[str]:
+def losses(sequences: Dict[str, Any], names_of: NamesOf, columns: Columns) -> List[str]:
+    """names_of: the systems of a drive's results that ours is compared with."""
     lines = []
     for sequence, described in sequences.items():
         results = described["results"]
         for column in columns:
             ahead = [
                 f"{name} {number(value, column.digits)}"
-                for name, value in better(results, names, column)
+                for name, value in better(results, names_of(results), column)
             ]
             if ahead:
                 ours = number(results[OURS][column.key], column.digits)
                 lines.append(f"- {sequence}, {column.title}: {', '.join(ahead)}; ours {ours}")
     return lines or ["Nowhere in these runs."]
+
+
+def best(results: Dict[str, Result], column: Column) -> str:
+    """Of ours as it is and the peers; the printed digits decide."""
+    names = [name for name in (OURS, *peers_of(results)) if name in results]
+    values = {n: results[n].get(column.key) for n in names}
+    rounded = {n: round(v, column.digits) for n, v in values.items() if v is not None}
+    if not rounded:
+        return "–"
+    lowest = min(rounded.values())
+    winners = ", ".join(name for name, value in rounded.items() if value == lowest)
+    return f"{winners} {number(lowest, column.digits)}"
+
+
+def winners(sequences: Dict[str, Any]) -> List[str]:
+    """Who is best on each drive."""
+    shown = [c for c in COLUMNS if c.lower_is_better and c.key in BEST_OF]
+    lines = ["| | " + " | ".join(c.title for c in shown) + " |", "|---" * (len(shown) + 1) + "|"]
+    for name, sequence in sequences.items():
+        cells = [best(sequence["results"], column) for column in shown]
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    return lines
 
 
 def missing(sequences: Dict[str, Any], not_run: List[str]) -> List[str]:
@@ -139,7 +184,7 @@ def missing(sequences: Dict[str, Any], not_run: List[str]) -> List[str]:
 
 def used(facts: Dict[str, Any], results: Dict[str, Result]) -> str:
     """Says so where the runs saw only the beginning of the drive."""
-    counts = {r["scans"] for r in results.values() if r["status"] == "ok"}
+    counts = {r["scans"] for r in results.values() if "scans" in r}
     if not facts or counts <= {facts["scans"]}:
         return ""
     return f" Scans used: {', '.join(str(count) for count in sorted(counts))}."
@@ -156,7 +201,7 @@ def drive(facts: Dict[str, Any]) -> str:
 
 
 def disturbance(results: Dict[str, Result]) -> List[str]:
-    if max(result["others"] for result in results.values()) <= 0.1:
+    if max(result.get("others", 0.0) for result in results.values()) <= 0.1:
         return []
     return ["Some of these runs were disturbed: compare CPU times rather than wall times.", ""]
 
@@ -190,22 +235,58 @@ def parameters(sequences: Dict[str, Any]) -> List[str]:
             continue
         versions = ", ".join(f"{package} {version}" for package, version in run["versions"].items())
         lines.append(f"- {system.name}: {versions}; ")
-        if system.settings:
-            lines[-1] += "as revisit_slam but " + ", ".join(f"`{s}`" for s in system.settings)
+        if system.arguments:
+            lines[-1] += "as revisit_slam but `" + " ".join(system.arguments) + "`"
         else:
             lines[-1] += "`" + " ".join(flat(run["parameters"])) + "`"
     return lines
 
 
+def average_tables(sequences: Dict[str, Any]) -> List[str]:
+    """The paper's tables, as far as there are recordings, with rows of what was measured here."""
+    names = list(dict.fromkeys(n for s in sequences.values() for n in s["results"]))
+    means, counts = averages(sequences, names)
+    lines: List[str] = []
+    for paper in (*paper_tables.TABLES, others(counts)):
+        columns = tuple(column for column in paper.columns if column in counts)
+        if not columns:
+            continue
+        rows = paper_tables.markdown(paper, columns)
+        for system in systems_of(dict.fromkeys(names, {})):
+            cells = [mean_text(means.get(system.name, {}).get(column)) for column in columns]
+            rows.append(f"| {system.title}, measured here | " + " | ".join(cells) + " |")
+        rows.append("| recordings averaged | " + " | ".join(str(counts[c]) for c in columns) + " |")
+        lines += [*rows, ""]
+    if lines:
+        lines = ["## Averages over recordings", "", AVERAGES, "", *lines]
+    return lines
+
+
+AVERAGES = """\
+ATE [m] / RPE [%]. The first rows are the paper's, the last its ablations; –: failed, or not run on
+all recordings of the place."""
+
+
+def others(counts: Dict[str, int]) -> paper_tables.Table:
+    """Places that the paper has no results of."""
+    known = {column for table in paper_tables.TABLES for column in table.columns}
+    return paper_tables.Table("others", tuple(p for p in counts if p not in known), {})
+
+
+def mean_text(mean: Optional[Tuple[float, Optional[float]]]) -> str:
+    return "–" if mean is None else f"{number(mean[0], 2)} / {number(mean[1], 2)}"
+
+
 def markdown(report: Dict[str, Any]) -> str:
     sequences = report["sequences"]
     lines = ["# Benchmark", "", "```", report["command"], "```", "", f"{report['machine']}.", ""]
-    lines += [METHOD]
+    lines += [METHOD, "## Who is best", "", *winners(sequences), ""]
+    lines += average_tables(sequences) if report["average"] else []
     for name, sequence in sequences.items():
         lines += section(name, sequence)
-    lines += ["## Where a peer is better", "", *losses(sequences, PEERS, COLUMNS), ""]
+    lines += ["## Where a peer is better", "", *losses(sequences, peers_of, COLUMNS), ""]
     lines += ["## Where a part does not pay", ""]
-    lines += losses(sequences, ABLATIONS, COLUMNS[:3])
+    lines += losses(sequences, lambda _: VARIANTS, COLUMNS[:3])
     lines += ["", "## Missing", "", *(missing(sequences, report["not_run"]) or ["Nothing."])]
     lines.append("")
     return "\n".join(lines + parameters(sequences)) + "\n"

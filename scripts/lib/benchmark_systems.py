@@ -12,7 +12,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from benchmark_environment import REQUIREMENTS
+from benchmark_environment import ENVIRONMENTS, Environments
 from benchmark_sequences import Sequence
 
 DRIVER = Path(__file__).resolve().parent / "peer_run.py"
@@ -20,40 +20,66 @@ DRIVER_FILES = ("peer_run.py", "peer_systems.py", "peer_bag.py", "kiss_icp_peer.
 
 
 class System(NamedTuple):
-    """settings: of the offline runner; None for a peer, whose defaults are used."""
+    """arguments: of the offline runner; None for a peer, whose defaults are used. environment: of a
+    peer; empty: its trajectories are given, made elsewhere."""
 
     name: str
     title: str
-    settings: Optional[Tuple[str, ...]]
+    arguments: Optional[Tuple[str, ...]] = None
+    environment: str = ""
+
+    def is_ours(self) -> bool:
+        return self.arguments is not None
+
+    def is_given(self) -> bool:
+        return self.arguments is None and not self.environment
+
+
+def without(setting: str) -> Tuple[str, ...]:
+    return ("--set", f"{setting}=false")
 
 
 SYSTEMS = (
     System("revisit_slam", "**revisit_slam**", ()),
-    System("no-information", "— identity information", ("information/enabled=false",)),
-    System("no-feedback", "— no retroactive loops", ("retroactive/enabled=false",)),
-    System("odometry", "— odometry alone", ("loops/enabled=false",)),
-    System("retro-slam", "Retro-SLAM", None),
-    System("kiss-slam", "KISS-SLAM", None),
-    System("kiss-icp", "KISS-ICP (odometry)", None),
+    System("no-information", "— identity information", without("information/enabled")),
+    System("no-feedback", "— no retroactive loops", without("retroactive/enabled")),
+    System("odometry", "— odometry alone", without("loops/enabled")),
+    System("paper", "— the paper's method (`--preset paper`)", ("--preset", "paper")),
+    System("retro-slam", "Retro-SLAM (the paper authors' own)", None, "bonn"),
+    System("kiss-slam", "KISS-SLAM", None, "bonn"),
+    System("kiss-icp", "KISS-ICP (odometry)", None, "bonn"),
+    System("genz-icp", "GenZ-ICP (odometry)", None, "genz"),
+    System("ct-icp", "CT-ICP (odometry)", None, "evalio"),
+    System("mad-icp", "MAD-ICP (odometry)", None, "evalio"),
+    System("form", "FORM (odometry)", None, "evalio"),
+    System("loam", "LOAM (odometry)", None, "evalio"),
 )
 
 
+def system_named(name: str) -> System:
+    return next(system for system in SYSTEMS if system.name == name)
+
+
 class Programs(NamedTuple):
-    """offline: the runner of this package. python: that of the peers' environment."""
+    """offline: the runner of this package. environments: of the peers. given: by the name of a
+    system, a folder with a trajectory SEQUENCE.tum or .txt (KITTI) of each sequence."""
 
     offline: Path
-    python: Optional[Path]
+    environments: Environments
+    given: Dict[str, Path] = {}
 
 
 def command(
     system: System, sequence: Sequence, programs: Programs, out: Path, max_scans: int
 ) -> List[Any]:
-    if system.settings is None:
-        words = [programs.python, DRIVER, system.name, "--bag", sequence.bag, "--out", out]
+    if system.arguments is None:
+        python = programs.environments.python(system.environment)
+        words = [python, DRIVER, system.name, "--bag", sequence.bag, "--out", out]
+        words += ["--base", sequence.base]
+        words += ["--azimuth"] if sequence.azimuth else []
     else:
         words = [programs.offline, "--quiet", "--bag", sequence.bag, "--out", out]
-        for setting in system.settings:
-            words += ["--set", setting]
+        words += [*system.arguments, *sequence.settings()]
     if sequence.topic:
         words += ["--topic", sequence.topic]
     return words + (["--max-scans", max_scans] if max_scans else [])
@@ -68,10 +94,12 @@ def digest(*files: Path) -> str:
 
 def identity(system: System, programs: Programs) -> List[Any]:
     """Version and parameters of a system: what its result depends on beside the sequence."""
-    if system.settings is None:
+    if system.is_given():
+        return [system.name]
+    if system.arguments is None:
         files = [DRIVER.with_name(name) for name in DRIVER_FILES]
-        return [system.name, *REQUIREMENTS, digest(*files)]
-    return [system.name, *system.settings, digest(programs.offline)]
+        return [system.name, *ENVIRONMENTS[system.environment], digest(*files)]
+    return [system.name, *system.arguments, digest(programs.offline)]
 
 
 def statistics(wall_ms: List[float]) -> Dict[str, float]:
@@ -113,7 +141,7 @@ def peer_figures(out: Path) -> Dict[str, Any]:
 
 def figures(system: System, out: Path) -> Dict[str, Any]:
     """What a run that ended well says of itself."""
-    return peer_figures(out) if system.settings is None else our_figures(out)
+    return our_figures(out) if system.is_ours() else peer_figures(out)
 
 
 def trajectory(out: Path) -> Path:

@@ -60,20 +60,28 @@ def time_unit(times: np.ndarray) -> float:
 
 def read_scan(message: Any) -> Tuple[np.ndarray, Optional[np.ndarray], float]:
     """Points that are measurements, their times, and the seconds from header to last point."""
+    return read_scan_with_rings(message)[:3]
+
+
+def read_scan_with_rings(
+    message: Any,
+) -> Tuple[np.ndarray, Optional[np.ndarray], float, Optional[np.ndarray]]:
+    """The same and the rings of the points, if the message has them."""
     cloud = message_fields(message)
     points = np.column_stack([cloud[axis].astype(np.float32) for axis in "xyz"])
     keep = np.isfinite(points).all(axis=1) & points.any(axis=1)
+    rings = cloud["ring"][keep].astype(np.int64) if "ring" in cloud.dtype.names else None
     name = next((name for name in TIME_FIELDS if name in cloud.dtype.names), None)
     if name is None or not keep.any():
-        return points[keep], None, 0.0
+        return points[keep], None, 0.0, rings
     times = cloud[name][keep].astype(np.float64)
     if times.max() == times.min():
-        return points[keep], None, 0.0
+        return points[keep], None, 0.0, rings
     unit = time_unit(times)
     last = float(times.max()) * unit
     if last > 1e8:  # since 1970, not since the header
         last -= message.header.stamp.sec + message.header.stamp.nanosec * 1e-9
-    return points[keep], times, last
+    return points[keep], times, last, rings
 
 
 def decode(arguments: argparse.Namespace) -> None:

@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterator, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from kiss_icp_peer import choose_topic, read_scan
+from kiss_icp_peer import azimuth_times, choose_topic, read_scan_with_rings, time_unit
 from trajectories import rotation_matrix
 
 
@@ -17,25 +17,30 @@ class PeerScan(NamedTuple):
     """stamp: instant of the last point in seconds, to which the peers deskew.
 
     points: (n, 3) metres in the sensor's frame. times: (n), rising with time, in any unit; empty
-    if the bag has none.
+    if the bag has none. duration: seconds from the first to the last point. rings: (n), if known.
     """
 
     stamp: float
     points: np.ndarray
     times: np.ndarray
+    duration: float
+    rings: Optional[np.ndarray] = None
 
 
-def scans(reader: Any, topic: Optional[str]) -> Iterator[PeerScan]:
+def scans(reader: Any, topic: Optional[str], azimuth: bool = False) -> Iterator[PeerScan]:
+    """azimuth: of a sensor whose bag has no times, and whose stamps are those of the last points."""
     topic = choose_topic(reader, topic)
     connections = [c for c in reader.connections if c.topic == topic]
     for connection, _, raw in reader.messages(connections=connections):
         message = reader.deserialize(raw, connection.msgtype)
-        points, times, seconds_to_last = read_scan(message)
+        points, times, seconds_to_last, rings = read_scan_with_rings(message)
         header = message.header.stamp
         stamp = header.sec + header.nanosec * 1e-9 + seconds_to_last
-        yield PeerScan(
-            stamp, points.astype(np.float64), np.empty(0) if times is None else times
-        )
+        points = points.astype(np.float64)
+        if times is None:
+            times = azimuth_times(points) if azimuth else np.empty(0)
+        duration = float(np.ptp(times)) * time_unit(times) if len(times) and not azimuth else 0.0
+        yield PeerScan(stamp, points, times, duration, rings)
 
 
 def sensor_frame(reader: Any, topic: Optional[str]) -> str:
@@ -47,8 +52,10 @@ def sensor_frame(reader: Any, topic: Optional[str]) -> str:
 
 def static_transforms(reader: Any) -> Dict[str, Tuple[str, np.ndarray]]:
     """Child frame to parent frame and T_parent_child."""
-    found = {}
+    found: Dict[str, Tuple[str, np.ndarray]] = {}
     connections = [c for c in reader.connections if c.topic == "/tf_static"]
+    if not connections:  # of none the reader would give the messages of all
+        return found
     for connection, _, raw in reader.messages(connections=connections):
         for stamped in reader.deserialize(raw, connection.msgtype).transforms:
             q, t = stamped.transform.rotation, stamped.transform.translation

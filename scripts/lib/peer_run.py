@@ -21,7 +21,7 @@ from typing import Any, Callable, Dict, Iterator, List
 import numpy as np
 
 from kiss_icp_peer import peak_memory_mb
-from peer_bag import PeerScan, extrinsics, open_bag, scans
+from peer_bag import extrinsics, open_bag, scans
 from peer_systems import PEERS
 from trajectories import Trajectory, quaternion_of, write_tum
 
@@ -45,7 +45,7 @@ class Meter:
         step()
         self.wall.append(time.perf_counter() - start)
 
-    def reading(self, source: Iterator[PeerScan]) -> Iterator[PeerScan]:
+    def reading(self, source: Iterator[Any]) -> Iterator[Any]:
         """The scans, the time of this thread between them taken off."""
         while True:
             start = time.thread_time()
@@ -59,15 +59,25 @@ class Meter:
         return cpu_seconds() - self._cpu_start - self._reading
 
 
+def prepared(reader: Any, peer: Any, arguments: argparse.Namespace) -> Iterator[Any]:
+    """Scans, and what the peer takes of each."""
+    random = np.random.default_rng(arguments.jitter_seed)
+    for scan in scans(reader, arguments.topic, arguments.azimuth):
+        if arguments.jitter > 0.0:
+            noise = random.uniform(-arguments.jitter, arguments.jitter, scan.points.shape)
+            scan = scan._replace(points=scan.points + noise)
+        yield scan, peer.prepare(scan)
+
+
 def run(peer: Any, arguments: argparse.Namespace) -> Dict[str, Any]:
     memory_before, stamps = peak_memory_mb(), []
     with open_bag(arguments.bag) as reader:
         T_base_sensor = extrinsics(reader, arguments.topic, arguments.base)
         meter = Meter()
-        source = islice(scans(reader, arguments.topic), arguments.max_scans or None)
-        for scan in meter.reading(source):
-            meter.measure(lambda: peer.process(scan.points, scan.times))
-            stamps.append(scan.stamp)
+        source = islice(prepared(reader, peer, arguments), arguments.max_scans or None)
+        for scan, prepared_scan in meter.reading(source):
+            meter.measure(lambda: peer.process(*prepared_scan))
+            stamps.append(scan.stamp - (1.0 - peer.stamped_at) * scan.duration)
             if len(stamps) % 100 == 0:
                 print(f"{len(stamps)} scans", flush=True)
         meter.measure(peer.finish)
@@ -101,9 +111,12 @@ def main() -> None:
     parser.add_argument("peer", choices=sorted(PEERS))
     parser.add_argument("--bag", type=Path, required=True)
     parser.add_argument("--topic")
-    parser.add_argument("--base", default="base_link", help="frame whose poses are written")
+    parser.add_argument("--base", default="base_link", help="of the poses; empty: the sensor")
+    parser.add_argument("--azimuth", action="store_true", help="times from directions")
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--max-scans", type=int, default=0)
+    parser.add_argument("--jitter", type=float, default=0.0, help="m, on each coordinate")
+    parser.add_argument("--jitter-seed", type=int, default=1)
     arguments = parser.parse_args()
     result = run(PEERS[arguments.peer](), arguments)
     (arguments.out / "peer.json").write_text(json.dumps(result))
