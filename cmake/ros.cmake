@@ -48,6 +48,7 @@ revisit_slam_program(optimize_graph)
 revisit_slam_program(benchmark_information)
 revisit_slam_program(convert_dataset)
 revisit_slam_program(evaluate)
+revisit_slam_program(benchmark_ablation)
 revisit_slam_program(benchmark_loops)
 revisit_slam_program(benchmark_places)
 if(REVISIT_SLAM_SIMULATION)
@@ -61,5 +62,5 @@ install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
-        scripts/benchmark scripts/compare_graphs
+        scripts/benchmark scripts/ablation scripts/compare_graphs
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
