@@ -12,17 +12,12 @@
 #include <sstream>
 #include <vector>
 
+#include "revisit_slam/io/presets.h"
 #include "revisit_slam/slam/slam_config.h"
+#include "support/child_process.h"
 
 namespace revisit_slam {
 namespace {
-
-std::string textOf(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// The first group of every match.
 std::set<std::string> findAll(const std::string& text, const std::string& pattern) {
@@ -96,6 +91,24 @@ TEST(Documentation, TheTableOfParametersIsThatOfTheCode) {
     std::ofstream(path) << page;
   } else {
     EXPECT_EQ(page.substr(begin, end - begin), parameterTable());
+  }
+}
+
+/// Those that other pages have measured.
+TEST(Documentation, NoFigureIsStale) {
+  ChildProcess process({"/usr/bin/python3", "scripts/figures", "--check"});
+  EXPECT_EQ(process.wait(60.0), 0) << process.output();
+}
+
+TEST(Documentation, EveryValueOfThePresetOfThePaperHasItsStatement) {
+  const std::string rows = tableRows(textOf("docs/paper.md"));
+  const std::vector<NamedText> values = readPreset("paper");
+  EXPECT_GE(values.size(), 25u);
+  for (const auto& [name, value] : values) {
+    const std::size_t row = rows.find("`" + name + "`");
+    EXPECT_NE(row, std::string::npos) << name;
+    EXPECT_NE(rows.substr(row, rows.find('\n', row) - row).find(" " + value), std::string::npos)
+        << name << " is " << value;
   }
 }
 
