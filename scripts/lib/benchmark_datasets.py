@@ -70,12 +70,16 @@ def mulran(folder: Path) -> List[Recording]:
 
 
 def apollo(folder: Path) -> List[Recording]:
-    """Apollo-SouthBay: SPLIT/PLACE/DATE with pcds/ and poses/."""
+    """Apollo-SouthBay: SPLIT/PLACE/DATE, in some splits with numbered parts, of pcds/ and poses/."""
     if not ((folder / "pcds").is_dir() and (folder / "poses" / "gt_poses.txt").is_file()):
         return []
-    known = [part for part in folder.parts if part.lower() in APOLLO_PLACES]
-    place = APOLLO_PLACES[known[-1].lower()] if known else folder.name
-    return [Recording("apollo", folder, f"{place.lower()}-{folder.name}", place)]
+    parts = folder.parts
+    known = [i for i, part in enumerate(parts) if part.lower() in APOLLO_PLACES]
+    if not known:
+        return [Recording("apollo", folder, folder.name, folder.name)]
+    place = APOLLO_PLACES[parts[known[-1]].lower()]
+    name = "-".join([place, parts[known[-1] - 1], *parts[known[-1] + 1 :]]).lower()
+    return [Recording("apollo", folder, name, place)]
 
 
 def newer_college(folder: Path) -> List[Recording]:
