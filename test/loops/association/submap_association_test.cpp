@@ -91,9 +91,11 @@ TEST(SubmapAssociation, AsInThePaperTheNearestTargetWhateverItSaw) {
   EXPECT_EQ(back[0].target, 2u);  // 65 to 40 is nearest to 50 to 75
 }
 
+const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
+
 TEST(SubmapAssociation, ComparesTrajectoriesAsTheGraphHasThemWhereItIsAsked) {
   PlacedSubmap bent = placed(0, 0);
-  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({{}, {1.0 * i, 0.2 * i, 0.0}});
+  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({kUpright, {1.0 * i, 0.2 * i, 0.0}});
   const auto pairs = associate({bent}, {placed(0, 0)}, {});
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_NEAR(pairs[0].hausdorff, 5.0, 1e-9);
@@ -101,7 +103,7 @@ TEST(SubmapAssociation, ComparesTrajectoriesAsTheGraphHasThemWhereItIsAsked) {
 
 TEST(SubmapAssociation, MovesTrajectoriesAlongWithTheirSubmaps) {
   PlacedSubmap bent = placed(0, 0);
-  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({{}, {1.0 * i, 0.2 * i, 0.0}});
+  for (int i = 0; i <= 25; ++i) bent.T_common_scan.push_back({kUpright, {1.0 * i, 0.2 * i, 0.0}});
   const Pose T_new_common{expSO3({0, 0, 0.5 * M_PI}), {10, 0, 0}};
   for (const PlacedSubmap& here : moved({bent, placed(0, 0)}, T_new_common)) {
     EXPECT_NEAR((pathOf(here)[0] - Eigen::Vector3d(10, 0, 0)).norm(), 0.0, 1e-12);
