@@ -10,6 +10,7 @@ find_package(octomap REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(TBB QUIET CONFIG)
 if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   find_library(TBB_LIBRARY tbb REQUIRED)
@@ -49,7 +50,7 @@ set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
   PRIVATE ${SYSTEM_BLAS} opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
-          ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json)
+          ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json ZLIB::ZLIB)
 
 add_custom_target(check_layers ALL
   COMMAND ${CMAKE_COMMAND} "-DLAYERS=${REVISIT_SLAM_CORE_FOLDERS};simulation;ros;nodelets;apps"

@@ -41,6 +41,12 @@ std::vector<NamedText> parseParameterText(const std::string& yaml) {
   return values;
 }
 
+std::vector<NamedText> flattened(const YAML::Node& node) {
+  std::vector<NamedText> values;
+  flatten(node, "", values);
+  return values;
+}
+
 nlohmann::json toJson(const std::vector<Parameter>& parameters) {
   nlohmann::json json = nlohmann::json::object();
   for (const Parameter& parameter : parameters)

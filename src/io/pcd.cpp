@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/pcd.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 #include "revisit_slam/io/whole_file.h"
@@ -66,7 +68,8 @@ void PcdStream::write(const Points& points) {
 void PcdStream::finish() {
   file_.seekp(0);
   writeHeader();
-  if (!(file_ << std::flush)) throw std::runtime_error("cannot write '" + path_ + "'");
+  if (!(file_ << std::flush))
+    throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
 }
 
 }  // namespace revisit_slam

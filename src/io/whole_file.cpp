@@ -4,13 +4,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 namespace revisit_slam {
 namespace {
 
+/// Of a file, or of the names in a folder.
 bool handToDisk(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY);
   if (file < 0) return false;
@@ -30,14 +34,24 @@ void writeWholeFile(const std::string& path,
     std::remove(temporary.c_str());
     throw;
   }
-  if (!handToDisk(temporary) || std::rename(temporary.c_str(), path.c_str()) != 0)
-    throw std::runtime_error("cannot write '" + path + "'");
+  replaceWholeFile(temporary, path);
+}
+
+void replaceWholeFile(const std::string& temporary, const std::string& path) {
+  if (!handToDisk(temporary) || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    std::remove(temporary.c_str());
+    throw std::runtime_error("cannot write '" + path + "': " + std::strerror(reason));
+  }
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  handToDisk(folder.empty() ? "." : folder);
 }
 
 void writeWholeText(const std::string& path, const std::string& text) {
   writeWholeFile(path, [&](const std::string& temporary) {
     std::ofstream file(temporary);
-    if (!(file << text << std::flush)) throw std::runtime_error("cannot write '" + path + "'");
+    if (!(file << text << std::flush))
+      throw std::runtime_error("cannot write '" + path + "': " + std::strerror(errno));
   });
 }
 

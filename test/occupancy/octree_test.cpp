@@ -41,5 +41,18 @@ TEST(Octree, ReachesToTheBorderOf16LevelsAndNoFarther) {
   EXPECT_THROW(octreeOf(map(-32769)), std::runtime_error);
 }
 
+TEST(Octree, AMapBeyondTheBorderIsHandedOutInTiles) {
+  const auto map = mapOf(submapOf({{{40000, 3, 0}, 1, 0}, {{-5, 3, 0}, 1, 0}}));
+  EXPECT_FALSE(fitsOctree(map));
+  std::vector<Eigen::Vector3d> occupied;
+  forEachOctreeTile(map, [&](const OctreeTile& tile) {
+    for (auto leaf = tile.tree->begin_leafs(); leaf != tile.tree->end_leafs(); ++leaf)
+      occupied.push_back(tile.origin_map + Eigen::Vector3d(leaf.getX(), leaf.getY(), leaf.getZ()));
+  });
+  ASSERT_EQ(occupied.size(), 2u);
+  EXPECT_EQ(occupied[0], Eigen::Vector3d(-2.25, 1.75, 0.25));
+  EXPECT_EQ(occupied[1], Eigen::Vector3d(20000.25, 1.75, 0.25));
+}
+
 }  // namespace
 }  // namespace revisit_slam

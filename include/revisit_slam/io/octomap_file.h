@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/occupancy/octree.h"
 
 namespace revisit_slam {
 
@@ -13,5 +13,6 @@ namespace revisit_slam {
 /// @throws std::runtime_error naming the file, or where the map is larger than an octree of 16
 /// levels (octreeOf).
 void writeOctomap(const std::string& path, const OccupancyMap& map);
+void writeOctomap(const std::string& path, const octomap::OcTree& tree);
 
 }  // namespace revisit_slam

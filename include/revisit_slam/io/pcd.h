@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "revisit_slam/io/cloud_file.h"
 #include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
@@ -18,12 +19,11 @@ void writePcd(const std::string& path, const Points& points);
 Points readPcdPoints(const std::string& path);
 
 /// A binary PCD file with fields x y z written piece by piece, in whatever memory one piece takes.
-class PcdStream {
+class PcdStream final : public CloudStream {
  public:
   explicit PcdStream(const std::string& path);
-  void write(const Points& points);
-  /// Puts the number of points into the header. @throws std::runtime_error naming the file.
-  void finish();
+  void write(const Points& points) override;
+  void finish() override;
   std::size_t size() const { return count_; }
 
  private:

@@ -12,7 +12,11 @@ namespace revisit_slam {
 void writeWholeFile(const std::string& path,
                     const std::function<void(const std::string& temporary)>& write);
 
-/// The same for a text.
+/// Hands the finished file `temporary` to the disk and renames it to `path`.
+/// @throws std::runtime_error naming `path`.
+void replaceWholeFile(const std::string& temporary, const std::string& path);
+
+/// writeWholeFile() for a text.
 void writeWholeText(const std::string& path, const std::string& text);
 
 }  // namespace revisit_slam

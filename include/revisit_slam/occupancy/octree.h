@@ -3,6 +3,7 @@
 
 #include <octomap/OcTree.h>
 
+#include <functional>
 #include <memory>
 
 #include "revisit_slam/occupancy/occupancy_map.h"
@@ -15,5 +16,21 @@ namespace revisit_slam {
 /// @throws std::runtime_error where the map reaches beyond an octree of 16 levels, whose border is
 /// 32768 voxels from the origin.
 std::unique_ptr<octomap::OcTree> octreeOf(const OccupancyMap& map);
+
+/// A square of the map as an octree whose origin is in the middle of the square.
+struct OctreeTile {
+  Eigen::Vector2i number;      ///< of the square, along x and y
+  Eigen::Vector3d origin_map;  ///< where the origin of the octree is in the map, m
+  std::unique_ptr<octomap::OcTree> tree;
+};
+
+/// Whether octreeOf can take the map.
+bool fitsOctree(const OccupancyMap& map);
+
+/// Edge of the squares, voxels.
+constexpr int kOctreeTile = 32768;
+
+/// Hands out the map square by square, one in memory at a time.
+void forEachOctreeTile(const OccupancyMap& map, const std::function<void(const OctreeTile&)>& take);
 
 }  // namespace revisit_slam

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/cloud_file.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include "revisit_slam/io/bytes.h"
+#include "revisit_slam/io/pcd.h"
+
+namespace revisit_slam {
+namespace {
+
+/// A binary file whose header is written again at the end, with the same length.
+class FileWithHeader : public CloudStream {
+ public:
+  void finish() override {
+    file_.seekp(0);
+    writeHeader();
+    if (!(file_ << std::flush))
+      throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
+  }
+
+ protected:
+  explicit FileWithHeader(const std::string& path) : path_(path), file_(path, std::ios::binary) {}
+
+  virtual void writeHeader() = 0;
+
+  std::string path_;
+  std::ofstream file_;
+  std::size_t count_ = 0;
+};
+
+class PlyStream final : public FileWithHeader {
+ public:
+  explicit PlyStream(const std::string& path) : FileWithHeader(path) { writeHeader(); }
+
+  void write(const Points& points) override {
+    file_.write(reinterpret_cast<const char*>(points.data()),
+                static_cast<std::streamsize>(points.size() * sizeof(points[0])));
+    count_ += points.size();
+  }
+
+ private:
+  void writeHeader() override {
+    char header[256];
+    std::snprintf(header, sizeof(header),
+                  "ply\nformat binary_little_endian 1.0\nelement vertex %012zu\n"
+                  "property float x\nproperty float y\nproperty float z\nend_header\n",
+                  count_);
+    file_ << header;
+  }
+};
+
+/// LAS 1.2, point format 0 (ASPRS, LAS Specification Version 1.2, 2008).
+class LasStream final : public FileWithHeader {
+ public:
+  explicit LasStream(const std::string& path) : FileWithHeader(path) { writeHeader(); }
+
+  void write(const Points& points) override {
+    ByteWriter bytes;
+    for (const Eigen::Vector3f& point : points) {
+      const Eigen::Vector3d p = point.cast<double>();
+      least_ = least_.cwiseMin(p);
+      greatest_ = greatest_.cwiseMax(p);
+      for (int axis = 0; axis < 3; ++axis)
+        bytes.put(static_cast<std::int32_t>(std::lround(p[axis] / kScale)));
+      bytes.put(std::uint16_t{0});                             // intensity
+      bytes.put(std::uint8_t{1 | 1 << 3});                     // first return of one
+      for (int i = 0; i < 3; ++i) bytes.put(std::uint8_t{0});  // class, angle, user data
+      bytes.put(std::uint16_t{0});                             // point source
+    }
+    file_ << bytes.bytes();
+    count_ += points.size();
+  }
+
+ private:
+  static constexpr double kScale = 0.001;  // m; 32 bits reach to 2,147 km
+  static constexpr std::uint16_t kHeaderLength = 227, kPointLength = 20;
+
+  void writeHeader() override {
+    if (count_ > std::numeric_limits<std::uint32_t>::max())
+      throw std::runtime_error("'" + path_ +
+                               "' would have more points than LAS 1.2 can count; cut "
+                               "the map into tiles");
+    const auto points = static_cast<std::uint32_t>(count_);
+    ByteWriter h;
+    putText("LASF", 4, h);
+    h.put(std::uint32_t{0});  // source, encoding
+    putText("", 16, h);       // project
+    h.put(std::uint8_t{1});
+    h.put(std::uint8_t{2});
+    putText("revisit_slam", 32, h);
+    putText("revisit_slam export", 32, h);
+    h.put(std::uint32_t{0});  // day and year of creation
+    h.put(kHeaderLength);
+    h.put(std::uint32_t{kHeaderLength});  // where points begin
+    h.put(std::uint32_t{0});              // variable length records
+    h.put(std::uint8_t{0});               // point format
+    h.put(kPointLength);
+    for (const std::uint32_t n : {points, points, 0u, 0u, 0u, 0u}) h.put(n);  // all, by return
+    for (int axis = 0; axis < 3; ++axis) h.put(kScale);
+    for (int axis = 0; axis < 3; ++axis) h.put(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      h.put(count_ > 0 ? greatest_[axis] : 0.0);
+      h.put(count_ > 0 ? least_[axis] : 0.0);
+    }
+    file_ << h.bytes();
+  }
+
+  static void putText(std::string text, std::size_t length, ByteWriter& bytes) {
+    text.resize(length);
+    bytes.putAll(std::vector<char>(text.begin(), text.end()));
+  }
+
+  Eigen::Vector3d least_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d greatest_ = -least_;
+};
+
+}  // namespace
+
+std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path) {
+  requireCloudFormat(format);
+  if (format == "pcd") return std::make_unique<PcdStream>(path);
+  if (format == "ply") return std::make_unique<PlyStream>(path);
+  return std::make_unique<LasStream>(path);
+}
+
+void requireCloudFormat(const std::string& format) {
+  if (format == "pcd" || format == "ply" || format == "las") return;
+  if (format == "laz")
+    throw std::invalid_argument(
+        "LAZ is not written: export las, and compress it with laszip or "
+        "'pdal translate map.las map.laz'");
+  throw std::invalid_argument("'" + format + "' is no format of clouds: pcd, ply, las");
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/folder_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace revisit_slam {
+namespace {
+
+std::string lockOf(const std::string& folder) {
+  return folder + "/lock";
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::string& folder)
+    : path_(lockOf(folder)), file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (file_ < 0) throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
+  // Some network file systems cannot lock: there it goes without.
+  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+    const std::string process = std::to_string(::getpid()) + "\n";
+    if (::ftruncate(file_, 0) != 0 || ::write(file_, process.data(), process.size()) < 0) {
+      // Who holds it is for people to read: the lock holds without.
+    }
+    return;
+  }
+  ::close(file_);
+  std::string process;
+  std::getline(std::ifstream(path_), process);
+  throw std::runtime_error("the folder '" + folder + "' is in use by process " + process);
+}
+
+FolderLock::~FolderLock() {
+  struct stat ours = {};
+  struct stat named = {};  // another one may have been made where ours was removed
+  if (::fstat(file_, &ours) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+      ours.st_ino == named.st_ino && ours.st_dev == named.st_dev)
+    ::unlink(path_.c_str());
+  ::close(file_);
+}
+
+bool isLocked(const std::string& folder) {
+  const int file = ::open(lockOf(folder).c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool locked = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return locked;
+}
+
+}  // namespace revisit_slam

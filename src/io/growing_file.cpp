@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/growing_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace revisit_slam {
+
+GrowingFile::GrowingFile(const std::string& path)
+    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+  if (file_ < 0) fail();
+}
+
+GrowingFile::~GrowingFile() {
+  ::close(file_);
+}
+
+void GrowingFile::fail() const {
+  throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
+}
+
+void GrowingFile::cutBack() {
+  if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) fail();
+  torn_ = false;
+}
+
+void GrowingFile::append(const std::string& bytes) {
+  if (removed()) {
+    errno = ENOENT;
+    fail();
+  }
+  if (torn_) cutBack();
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written =
+        ::pwrite(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(size_ + done));
+    if (written > 0) {
+      done += static_cast<std::size_t>(written);
+    } else if (errno != EINTR) {
+      torn_ = done > 0;
+      const int reason = errno;
+      if (torn_ && ::ftruncate(file_, static_cast<off_t>(size_)) == 0) torn_ = false;
+      errno = reason;
+      fail();
+    }
+  }
+  size_ += bytes.size();
+}
+
+void GrowingFile::sync() {
+  if (::fdatasync(file_) != 0) fail();
+}
+
+bool GrowingFile::removed() const {
+  struct stat ours = {};
+  struct stat named = {};
+  return ::fstat(file_, &ours) != 0 || ::stat(path_.c_str(), &named) != 0 ||
+         ours.st_ino != named.st_ino || ours.st_dev != named.st_dev;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/cloud_file.h"
+
+#include <gtest/gtest.h>
+#include <pcl/io/ply_io.h>
+
+#include "revisit_slam/io/bytes.h"
+#include "support/temporary_folder.h"
+
+namespace revisit_slam {
+namespace {
+
+const Points kPoints{{1.0f, 2.0f, 3.0f}, {-4.5f, 0.0f, 1000.25f}, {7.0f, -8.0f, 9.0f}};
+
+void write(const std::string& format, const std::string& path) {
+  const auto stream = makeCloudStream(format, path);
+  stream->write({kPoints[0]});
+  stream->write({kPoints[1], kPoints[2]});
+  stream->finish();
+}
+
+TEST(CloudFile, PlyIsWhatOthersRead) {
+  const TemporaryFolder folder;
+  write("ply", folder.file("map.ply"));
+  pcl::PointCloud<pcl::PointXYZ> read;
+  ASSERT_EQ(pcl::io::loadPLYFile(folder.file("map.ply"), read), 0);
+  ASSERT_EQ(read.size(), kPoints.size());
+  for (std::size_t i = 0; i < kPoints.size(); ++i) EXPECT_EQ(read[i].getVector3fMap(), kPoints[i]);
+}
+
+/// Offsets as in Tables 3 and 7 of the specification of LAS 1.2.
+TEST(CloudFile, LasHasItsFieldsWhereTheSpecificationPutsThem) {
+  const TemporaryFolder folder;
+  write("las", folder.file("map.las"));
+  const std::string bytes = textOf(folder.file("map.las"));
+  const auto at = [&](std::size_t offset) { return bytes.substr(offset); };
+  const auto number = [&](std::size_t offset) {
+    const std::string rest = at(offset);
+    return ByteReader(rest).get<std::uint32_t>();
+  };
+  const auto real = [&](std::size_t offset) {
+    const std::string rest = at(offset);
+    return ByteReader(rest).get<double>();
+  };
+  EXPECT_EQ(bytes.substr(0, 4), "LASF");
+  EXPECT_EQ(bytes.substr(24, 2), "\x01\x02");
+  EXPECT_EQ(number(96), 227u);    // offset to points
+  EXPECT_EQ(bytes[104], 0);       // point format
+  EXPECT_EQ(number(107), 3u);     // points
+  EXPECT_EQ(real(131), 0.001);    // scale of x
+  EXPECT_EQ(real(179), 7.0);      // largest x
+  EXPECT_EQ(real(187), -4.5);     // smallest x
+  EXPECT_EQ(real(211), 1000.25);  // largest z
+  ASSERT_EQ(bytes.size(), 227u + 3u * 20u);
+  const std::string second = at(227 + 20);
+  EXPECT_EQ(ByteReader(second).get<std::int32_t>(), -4500);
+}
+
+TEST(CloudFile, RefusesOtherFormatsAndSaysHowToGetThem) {
+  EXPECT_THROW(requireCloudFormat("xyz"), std::invalid_argument);
+  try {
+    requireCloudFormat("laz");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("las"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace revisit_slam
