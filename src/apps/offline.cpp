@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps a recorded drive without a ROS master, as fast as the machine allows.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "offline/offline_run.h"
@@ -8,6 +9,7 @@
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/presets.h"
 #include "revisit_slam/slam/renamed_parameters.h"
+#include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
@@ -64,22 +66,36 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   return options;
 }
 
+/// What was mapped before something went wrong is not lost.
+void sayHowToGoOn(const std::string& folder) {
+  if (std::filesystem::exists(folder + "/graph.log"))
+    std::cerr << "offline: this makes the map of what is in the folder: rosrun revisit_slam export "
+              << folder << "\n";
+}
+
 }  // namespace
 }  // namespace revisit_slam
 
 int main(int argc, char** argv) {
   revisit_slam::shareMemoryAmongThreads();
+  revisit_slam::catchInterruption();
+  revisit_slam::Options options;
+  bool has_begun = false;
   CLI::App app{"Maps a recorded drive; the results are files in a folder"};
   try {
-    const revisit_slam::Options options = revisit_slam::parseOptions(app, argc, argv);
+    options = revisit_slam::parseOptions(app, argc, argv);
     const revisit_slam::SlamConfig config = revisit_slam::readConfig(options);
     revisit_slam::OfflineRun run(config, revisit_slam::openSource(options), options.out,
                                  options.max_scans, options.quiet);
-    return run.run() ? 0 : 1;
+    has_begun = true;
+    const bool is_whole = run.run();
+    if (revisit_slam::interruption() != 0) return 128 + revisit_slam::interruption();
+    return is_whole ? 0 : 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   } catch (const std::exception& error) {
     std::cerr << "offline: " << error.what() << "\n";
+    if (has_begun) revisit_slam::sayHowToGoOn(options.out);
     return 1;
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -135,15 +136,6 @@ std::vector<Pose> readKitti(const std::string& path) {
     poses.push_back(*pose);
   }
   return poses;
-}
-
-TumWriter::TumWriter(const std::string& path) : path_(path), file_(path) {
-  if (!file_) fail("cannot write the trajectory", path);
-}
-
-void TumWriter::write(const StampedPose& pose) {
-  writeTumLine(file_, pose);
-  if (!file_.flush()) fail("cannot write the trajectory", path_);
 }
 
 }  // namespace revisit_slam

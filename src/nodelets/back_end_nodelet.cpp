@@ -4,6 +4,7 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <future>
+#include <iostream>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "revisit_slam/ros/node/graph_display.h"
@@ -33,7 +34,7 @@ class BackEndNodelet : public SlamNodelet {
     live_parameters_.reset();
     if (!lane_) return;
     lane_->post([this] {
-      if (stage_->session()) stage_->session()->writeGraph();
+      if (stage_->session()) endUnasked(*stage_->session());
     });
     lane_->drain();
     lane_->stop();
@@ -44,10 +45,12 @@ class BackEndNodelet : public SlamNodelet {
  private:
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
-    requireFolder(config_.live);
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
     stage_ = std::make_unique<BackEnd>(
-        config_, [this](const MapCorrectionPtr& correction) { publish(correction); });
+        config_, [this](const MapCorrectionPtr& correction) { publish(correction); },
+        [this](SessionId session, Stamp start) {
+          return liveTargets(config_.live, "frame " + sensor_frame_)(session, start);
+        });
     lane_ = makeLane(config_.background.niceness);
     lane_->post([this] { startDisplay(); });
     services_ = std::make_unique<GraphServices>(
@@ -76,12 +79,15 @@ class BackEndNodelet : public SlamNodelet {
         });
     maps_subscriber_ = node.subscribe<MapUpdate>(
         "submap", depth, [this](const boost::shared_ptr<const MapUpdate>& maps) {
-          lane_->post([this, maps] { stage_->add(*maps); });
+          lane_->post([this, maps = toStdPointer(maps)] { stage_->add(maps); });
         });
     scan_subscriber_ = node.subscribe<InformedScan>(
         "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
           broadcaster_->onScan(informed->scan->id.session, informed->scan->stamp);
-          lane_->post([this, node = nodeOf(*informed)] { add(node); });
+          lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame] {
+            sensor_frame_ = frame;
+            add(node);
+          });
         });
   }
 
@@ -106,7 +112,6 @@ class BackEndNodelet : public SlamNodelet {
         return;
       case ScanOrder::first:
         occupancy_->clear();
-        if (!stage_->session()->problem().empty()) noteError(stage_->session()->problem());
         if (!stage_->session()->folder().empty())
           NODELET_INFO("writing to %s", stage_->session()->folder().c_str());
         draw();
@@ -127,12 +132,34 @@ class BackEndNodelet : public SlamNodelet {
   }
 
   void finish(const MapsClosed& closed) {
-    stage_->add(closed, [this, request = closed.request](const GraphSession* session,
+    stage_->add(closed, [this, request = closed.request](GraphSession* session,
                                                          const std::string& problem) {
-      services_->answer(request, problem);
-      if (session != nullptr && !problem.empty()) noteError(problem);
+      const std::string all = session == nullptr ? problem : saved(*session);
+      services_->answer(request, all);
+      if (session != nullptr && !all.empty()) noteError(all);
     });
     draw();
+  }
+
+  /// Returns what is wrong.
+  std::string saved(GraphSession& session) {
+    try {
+      for (const std::string& notice : session.saveOwn()) NODELET_WARN("%s", notice.c_str());
+      session.writeSummary();
+      return "";
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+
+  /// The time until the process is killed may be short: the map is made later.
+  void endUnasked(GraphSession& session) {
+    if (session.folder().empty()) return;
+    session.writeRest();
+    if (session.isWhole()) return;
+    // ROS no longer logs when a process is about to end.
+    std::cerr << "the map was not made; this makes it: rosrun revisit_slam export "
+              << session.folder() << std::endl;
   }
 
   void publish(const MapCorrectionPtr& correction) {
@@ -173,6 +200,7 @@ class BackEndNodelet : public SlamNodelet {
   GraphStatus status_;
 
   // Of the lane.
+  std::string sensor_frame_;
   std::unique_ptr<BackEnd> stage_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;

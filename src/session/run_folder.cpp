@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/util/quantile.h"
 
@@ -21,6 +23,7 @@ std::string made(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
+  requireUnused(path);
   return path;
 }
 
@@ -36,20 +39,23 @@ json statistics(const std::map<std::string, std::vector<float>>& stage_ms) {
 
 RunFolder::RunFolder(const std::string& path)
     : path_(made(path)),
+      lock_(std::make_shared<FolderLock>(path)),
       odometry_(file("odometry.tum")),
       information_(file("odometry_information.csv")),
       scan_times_(file("scan_times.csv")) {
-  if (!information_ || !scan_times_) throw std::runtime_error("cannot write into '" + path + "'");
-  information_ << "scan,stamp,source,mean_squared_residual,weak_directions";
+  std::string header = "scan,stamp,source,mean_squared_residual,weak_directions";
   for (const char* matrix : {"information", "covariance"})
     for (int row = 1; row <= 6; ++row)
-      for (int column = row; column <= 6; ++column) information_ << "," << matrix << row << column;
-  information_ << "\n";
+      for (int column = row; column <= 6; ++column)
+        header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
+  information_.add(header + "\n");
 }
 
 void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
   const RegisteredScan& scan = *informed.scan;
-  odometry_.write({scan.stamp, scan.T_odom_base});
+  std::ostringstream pose;
+  writeTumLine(pose, {scan.stamp, scan.T_odom_base});
+  odometry_.add(pose.str());
   if (scan.id.value == 0) distance_.goOnFrom(scan.T_odom_base.translation);
   distance_.go(scan.T_odom_base.translation);
   writeInformation(informed);
@@ -57,49 +63,70 @@ void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
 }
 
 void RunFolder::writeInformation(const InformedScan& informed) {
-  information_ << informed.scan->id.value << "," << stampText(informed.scan->stamp) << ","
-               << toString(informed.source) << "," << informed.estimate.mean_squared_residual << ","
-               << informed.estimate.weak_directions.size();
+  std::ostringstream line;
+  line << informed.scan->id.value << "," << stampText(informed.scan->stamp) << ","
+       << toString(informed.source) << "," << informed.estimate.mean_squared_residual << ","
+       << informed.estimate.weak_directions.size();
   for (const Matrix6* matrix : {&informed.estimate.information, &informed.covariance_motion})
     for (int row = 0; row < 6; ++row)
-      for (int column = row; column < 6; ++column) information_ << "," << (*matrix)(row, column);
-  endLine(information_, "odometry_information.csv");
+      for (int column = row; column < 6; ++column) line << "," << (*matrix)(row, column);
+  information_.add(line.str() + "\n");
 }
 
 void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) {
+  std::ostringstream line;
   if (stages_.empty()) {
-    scan_times_ << "scan,stamp";
+    line << "scan,stamp";
     for (const auto& [stage, ms] : times) {
       stages_.emplace_back(stage);
-      scan_times_ << "," << stage << "_ms";
+      line << "," << stage << "_ms";
     }
-    scan_times_ << ",total_ms\n";
+    line << ",total_ms\n";
   }
   double total = 0.0;
-  scan_times_ << scan.id.value << "," << stampText(scan.stamp);
+  line << scan.id.value << "," << stampText(scan.stamp);
   for (const auto& [stage, ms] : times) {
-    scan_times_ << "," << ms;
+    line << "," << ms;
     stage_ms_[stage].push_back(static_cast<float>(ms));
     total += ms;
   }
   stage_ms_["total"].push_back(static_cast<float>(total));
-  scan_times_ << "," << total;
-  endLine(scan_times_, "scan_times.csv");
+  line << "," << total << "\n";
+  scan_times_.add(line.str());
 }
 
 void RunFolder::addTimes(const StageTimes& times) {
   for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(static_cast<float>(ms));
 }
 
-void RunFolder::endLine(std::ofstream& stream, const std::string& name) const {
-  if (!(stream << std::endl)) throw std::runtime_error("cannot write '" + file(name) + "'");
+void LineFile::add(const std::string& line) {
+  waiting_ += line;
+  try {
+    flush();
+  } catch (const std::runtime_error&) {
+    // It waits: flush() at the end tells.
+  }
 }
 
-void RunFolder::finish(const RunSummary& summary) const {
+void LineFile::flush() {
+  file_.append(waiting_);
+  waiting_.clear();
+}
+
+void judge(const MapConsistency& consistency, RunSummary& summary) {
+  summary.revisited_cells = consistency.cells.size();
+  if (consistency.cells.empty()) return;
+  summary.consistency_mean = consistency.of_pairs.mean;
+  summary.consistency_deviation = consistency.of_pairs.standard_deviation;
+}
+
+void writeRunSummary(const std::string& path, const RunSummary& summary,
+                     const std::map<std::string, std::vector<float>>& stage_ms) {
   const ScanAccount& account = summary.account;
   const double scans = std::max<double>(1.0, static_cast<double>(account.processed));
   const json run = {
-      {"version", REVISIT_SLAM_VERSION},
+      {"version", softwareVersion()},
+      {"interrupted", summary.interrupted},
       {"topic", summary.topic},
       {"tracked_frame", summary.tracked_frame},
       {"parameters", toJson(summary.parameters)},
@@ -111,12 +138,12 @@ void RunFolder::finish(const RunSummary& summary) const {
         {"dropped", account.dropped}}},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},
-      {"path_length_m", pathLength()},
+      {"path_length_m", summary.path_length},
       {"wall_seconds", summary.wall_seconds},
       {"cpu_seconds", processCpuSeconds()},
       {"cpu_seconds_per_scan", (processCpuSeconds() - summary.reading_cpu_seconds) / scans},
       {"finish_seconds", summary.finish_seconds},
-      {"stages_ms", statistics(stage_ms_)},
+      {"stages_ms", statistics(stage_ms)},
       {"peak_memory_mb", peakMemoryMegabytes()},
       {"memory_mb_per_km", summary.memory_mb_per_km},
       {"loops", summary.loops},
@@ -129,7 +156,13 @@ void RunFolder::finish(const RunSummary& summary) const {
         {"rms_standard_deviation_m", summary.consistency_deviation}}},
       {"threads", summary.threads},
   };
-  writeWholeText(file("run.json"), run.dump(2) + "\n");
+  writeWholeText(path, run.dump(2) + "\n");
+}
+
+void RunFolder::finish(RunSummary summary) {
+  summary.path_length = pathLength();
+  writeRunSummary(file("run.json"), summary, stage_ms_);
+  for (LineFile* lines : {&odometry_, &information_, &scan_times_}) lines->flush();
 }
 
 }  // namespace revisit_slam

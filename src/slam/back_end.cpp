@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/back_end.h"
 
-#include <exception>
 #include <utility>
 
 namespace revisit_slam {
 
-BackEnd::BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction)
-    : config_(config), on_correction_(std::move(on_correction)) {}
+BackEnd::BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction,
+                 SessionTargets targets)
+    : config_(config),
+      on_correction_(std::move(on_correction)),
+      targets_(targets ? std::move(targets) : liveTargets(config.live)) {}
 
 ScanOrder BackEnd::add(const GraphNode& node) {
   const ScanOrder order = order_.take(node.id);
@@ -19,7 +21,8 @@ ScanOrder BackEnd::add(const GraphNode& node) {
 }
 
 void BackEnd::startSession(SessionId id, Stamp start) {
-  auto session = std::make_unique<GraphSession>(id, config_, start, on_correction_);
+  auto session =
+      std::make_unique<GraphSession>(id, config_, start, targets_(id, start), on_correction_);
   session_ = session.get();
   sessions_[id] = std::move(session);
 }
@@ -41,8 +44,8 @@ GraphSession* BackEnd::find(SessionId id) const {
   return entry == sessions_.end() ? nullptr : entry->second.get();
 }
 
-void BackEnd::add(const MapUpdate& update) {
-  if (GraphSession* session = find(update.submap->id.session)) session->add(update);
+void BackEnd::add(const MapUpdatePtr& update) {
+  if (GraphSession* session = find(update->submap->id.session)) session->add(update);
 }
 
 void BackEnd::add(const LoopClosures& closures) {
@@ -59,13 +62,7 @@ void BackEnd::add(const MapsClosed& closed, const Done& done) {
   if (!session) return done(nullptr, "there is nothing to finish");
   session->after(closed.scans, [this, session, closed, done] {
     if (closed.request == 0) ended_.insert(closed.session);
-    std::string problem;
-    try {
-      session->saveOwn();
-    } catch (const std::exception& error) {
-      problem = error.what();
-    }
-    done(session, problem);
+    done(session, "");
   });
   forgetEnded();
 }

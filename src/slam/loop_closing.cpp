@@ -105,6 +105,7 @@ void LoopClosing::hand(const LoopSearchResult& result, std::function<void()> the
   closures.last_scan = result.map->submaps.back()->lastScan();
   closures.origin = result.origin;
   closures.constraints = result.accepted();
+  closures.view = result.view;
   if (!closures.constraints.empty()) {
     closures.request = ++requests_;
     awaited_ = {closures.request, std::move(then)};

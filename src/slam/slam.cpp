@@ -6,17 +6,20 @@
 
 namespace revisit_slam {
 
-Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor)
+Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
+           SessionTargets targets)
     : observer_(observer),
       executor_(executor),
       with_maps_(config.mapping.enabled),
       odometry_(config),
       information_(config.information),
-      back_end_(config,
-                [this](const MapCorrectionPtr& correction) {
-                  if (correction->version > 0) observer_.onCorrection(correction);
-                  maps_.correct(correction);
-                }),
+      back_end_(
+          config,
+          [this](const MapCorrectionPtr& correction) {
+            if (correction->version > 0) observer_.onCorrection(correction);
+            maps_.correct(correction);
+          },
+          std::move(targets)),
       maps_(config, foreground_, executor.background(), outputsOfMaps()) {}
 
 /// What waits in the background speaks to the stages. After finish() there is nothing.
@@ -29,7 +32,7 @@ MapManager::Outputs Slam::outputsOfMaps() {
   MapManager::Outputs outputs;
   outputs.maps = [this](const MapUpdatePtr& maps) {
     observer_.onMaps(*maps);
-    executor_.background().post([this, maps] { back_end_.add(*maps); });
+    executor_.background().post([this, maps] { back_end_.add(maps); });
   };
   outputs.session = [](SessionId) {};
   outputs.loops.search = [this](const LoopSearchResult& result) { observer_.onLoopSearch(result); };
@@ -72,7 +75,7 @@ void Slam::insert(const InformedScan& informed) {
 }
 
 void Slam::end(const MapsClosed& closed) {
-  back_end_.add(closed, [this](const GraphSession* session, const std::string& problem) {
+  back_end_.add(closed, [this](GraphSession* session, const std::string& problem) {
     if (!problem.empty()) throw std::runtime_error(problem);
     observer_.onSession(*session);
   });

@@ -122,12 +122,24 @@ TEST(RunFolder, SummaryAccountsForTheRun) {
 
 TEST(RunFolder, ARunWithoutScansHasASummaryToo) {
   const TemporaryFolder parent;
-  const RunFolder folder(parent.file("run"));
+  RunFolder folder(parent.file("run"));
   folder.finish({});
   const auto run = nlohmann::json::parse(textOf(folder.file("run.json")));
   EXPECT_EQ(run["scans"]["processed"], 0);
   EXPECT_EQ(run["path_length_m"], 0.0);
   EXPECT_TRUE(run["stages_ms"].empty());
+}
+
+TEST(RunFolder, AFolderWithResultsOrInUseIsLeftAlone) {
+  const TemporaryFolder parent;
+  {
+    RunFolder folder(parent.file("run"));
+    folder.add(scanAt(0), timesOf(0));
+    EXPECT_THROW(RunFolder(parent.file("run")), std::runtime_error);
+  }
+  const std::string before = textOf(parent.file("run/odometry.tum"));
+  EXPECT_THROW(RunFolder(parent.file("run")), std::runtime_error);
+  EXPECT_EQ(textOf(parent.file("run/odometry.tum")), before);
 }
 
 TEST(RunFolder, NamesTheFolderThatItCannotMake) {

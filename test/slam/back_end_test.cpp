@@ -89,7 +89,7 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   EXPECT_EQ(corrections_.front()->session, kFirst);
   std::string answer = "none";
   back_end_.add(MapsClosed{kFirst, 20, 0},
-                [&](const GraphSession*, const std::string& problem) { answer = problem; });
+                [&](GraphSession*, const std::string& problem) { answer = problem; });
   EXPECT_EQ(answer, "");
   back_end_.add(
       closure(0, 19, 2));  // it has ended: an answer all the same, as somebody waits for it
@@ -101,7 +101,7 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
 TEST_F(BackEndTest, finishingWhenASessionHasBegunDoesNotEndTheOneBefore) {
   drive(0, 20);
   drive(0, 5, kSecond);
-  back_end_.add(MapsClosed{kFirst, 20, 4}, [](const GraphSession*, const std::string&) {});
+  back_end_.add(MapsClosed{kFirst, 20, 4}, [](GraphSession*, const std::string&) {});
   back_end_.add(closure(0, 19, 1));
   ASSERT_EQ(corrections_.size(), 1u);
   EXPECT_EQ(corrections_.front()->version, 1u);
@@ -112,6 +112,7 @@ TEST_F(BackEndTest, whereFilesCannotBeWrittenTheGraphGoesOnAndSaysSo) {
   BackEnd back_end(config_, [](const MapCorrectionPtr&) {});
   for (std::uint32_t i = 0; i < 5; ++i) EXPECT_NE(back_end.add(node(i)), ScanOrder::missed);
   EXPECT_EQ(back_end.session()->graph().size(), 5u);
+  EXPECT_THROW(back_end.session()->saveOwn(), std::runtime_error);
   EXPECT_NE(back_end.session()->problem().find("/proc/nowhere"), std::string::npos);
 }
 
@@ -131,7 +132,7 @@ TEST_F(BackEndTest, scansAfterAGapAreOfNoUse) {
 
 TEST_F(BackEndTest, finishingWaitsForTheScansAndSaysWhatIsWrong) {
   std::string answer = "none";
-  const auto keep = [&](const GraphSession*, const std::string& problem) { answer = problem; };
+  const auto keep = [&](GraphSession*, const std::string& problem) { answer = problem; };
   back_end_.add(MapsClosed{kFirst, 10, 1}, keep);
   EXPECT_EQ(answer, "there is nothing to finish");
   answer = "none";
@@ -142,17 +143,17 @@ TEST_F(BackEndTest, finishingWaitsForTheScansAndSaysWhatIsWrong) {
   EXPECT_EQ(answer, "");
 }
 
-TEST_F(BackEndTest, aSessionWithAFolderIsOnDiskWhenItIsClosed) {
+TEST_F(BackEndTest, aSessionWithAFolderIsOnDiskWhenItIsSaved) {
   const TemporaryFolder folder;
   config_.live.folder = folder.file("drives");
   BackEnd back_end(config_, [](const MapCorrectionPtr&) {});
   for (std::uint32_t i = 0; i < 12; ++i) back_end.add(node(i));
   const std::string drive = back_end.session()->folder();
-  back_end.add(MapsClosed{kFirst, 12, 1},
-               [](const GraphSession* session, const std::string& problem) {
-                 EXPECT_NE(session, nullptr);
-                 EXPECT_EQ(problem, "");
-               });
+  back_end.add(MapsClosed{kFirst, 12, 1}, [](GraphSession* session, const std::string& problem) {
+    EXPECT_EQ(problem, "");
+    ASSERT_NE(session, nullptr);
+    session->saveOwn();
+  });
   EXPECT_EQ(readTum(drive + "/trajectory.tum").size(), 12u);
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "revisit_slam/session/graph_files.h"
+#include "revisit_slam/session/session_graph.h"
 #include "support/simulated_slam.h"
 
 namespace revisit_slam {
@@ -25,7 +25,7 @@ struct SlamRun {
     slam.finish();
   }
   const SlamGraph& graph() const { return slam.session()->graph(); }
-  Trajectory trajectory() const { return trajectoryOf(graph()); }
+  Trajectory trajectory() const { return trajectoryOf(graphOf(graph())); }
 
   SlamRecorder recorder;
   StagedExecutor executor;
@@ -96,7 +96,7 @@ TEST(Slam, TheSameBitsInOneThreadAndStaged) {
   Slam slam(SlamConfig{}, recorder, executor);
   for (const InformedScan& scan : oppositeDrive().scans) slam.insert(scan);
   slam.finish();
-  const Trajectory a = fullRun().trajectory(), b = trajectoryOf(slam.session()->graph());
+  const Trajectory a = fullRun().trajectory(), b = trajectoryOf(graphOf(slam.session()->graph()));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i].T_world_base.translation, b[i].T_world_base.translation) << "scan " << i;

@@ -61,8 +61,9 @@ class ChildProcess {
     return status_;
   }
 
-  void interrupt() {
-    if (status_ == still_running) kill(-process_, SIGINT);
+  void interrupt() { signal(SIGINT); }
+  void signal(int number) {
+    if (status_ == still_running) kill(-process_, number);
   }
 
   /// What it has written so far.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fstream>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -38,18 +37,5 @@ void writeKitti(const std::string& path, const Trajectory& trajectory);
 /// Rotations become the nearest orthonormal ones.
 /// @throws std::runtime_error naming the file, and the line where one cannot be read.
 std::vector<Pose> readKitti(const std::string& path);
-
-/// Appends poses to a TUM file as they come; each line is handed to the system at once, so that a
-/// crash of the program loses none.
-class TumWriter {
- public:
-  /// @throws std::runtime_error naming the file.
-  explicit TumWriter(const std::string& path);
-  void write(const StampedPose& pose);
-
- private:
-  std::string path_;
-  std::ofstream file_;
-};
 
 }  // namespace revisit_slam

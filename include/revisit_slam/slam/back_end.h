@@ -20,20 +20,22 @@ namespace revisit_slam {
 /// given within each session alone. For one thread.
 class BackEnd {
  public:
-  BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction);
+  /// `targets`: where sessions are written; null: as live/folder says.
+  BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correction,
+          SessionTargets targets = {});
 
   /// The first scan of another session begins its graph. Scans whose predecessors were missed are
   /// of no use, those of a base that rests add nothing. @return where the scan stands
   ScanOrder add(const InformedScan& scan) { return add(nodeOf(scan)); }
   ScanOrder add(const GraphNode& node);
-  void add(const MapUpdate& update);
+  void add(const MapUpdatePtr& update);
   void add(const LoopClosures& closures);
 
   /// Gets the session, null if there is none, and nothing or what is wrong.
-  using Done = std::function<void(const GraphSession*, const std::string& problem)>;
+  using Done = std::function<void(GraphSession*, const std::string& problem)>;
 
-  /// Writes what belongs to the session when its scans are all there, and then calls `done`. Ends
-  /// the session where another one has begun (MapsClosed::request 0).
+  /// Calls `done` when all scans of the session are there. Ends the session afterwards where
+  /// another one has begun (MapsClosed::request 0).
   void add(const MapsClosed& closed, const Done& done);
 
   void reconfigure(const BackEndConfig& config);
@@ -49,6 +51,7 @@ class BackEnd {
 
   SlamConfig config_;
   const GraphSession::OnCorrection on_correction_;
+  const SessionTargets targets_;
   SessionOrder order_;
   std::map<SessionId, std::unique_ptr<GraphSession>>
       sessions_;                     // that are not closed, and the newest

@@ -3,13 +3,16 @@
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "revisit_slam/mapping/map_builder.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
-#include "revisit_slam/session/slam_files.h"
+#include "revisit_slam/session/map_export.h"
+#include "revisit_slam/session/run_folder.h"
+#include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/loop_closures.h"
 
@@ -22,21 +25,27 @@ struct OptimisationCount {
   double seconds = 0.0;
 };
 
-/// Graph and files of one session (paper Sec. III-D): factors in, corrections out. Its methods
-/// throw std::runtime_error naming a file that cannot be written; the graph is whole then
-/// nevertheless.
+/// Where a session that begins is to be written.
+using SessionTargets = std::function<SessionTarget(SessionId, Stamp start)>;
+
+/// A new folder for each session in live/folder, named by its first scan; nowhere without one.
+SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor = "");
+
+/// Graph and files of one session (paper Sec. III-D): factors in, corrections out. What cannot be
+/// written waits (SessionWriter), and nothing else does.
 class GraphSession {
  public:
   using OnCorrection = std::function<void(const MapCorrectionPtr&)>;
 
-  /// With a folder for drives (live/folder) it writes into a new one in it, named by `start`. Where
-  /// that cannot be made it goes on without files, and problem() says why.
-  GraphSession(SessionId id, const SlamConfig& config, Stamp start, OnCorrection on_correction);
+  GraphSession(SessionId id, const SlamConfig& config, Stamp start, const SessionTarget& target,
+               OnCorrection on_correction);
+  /// Everything known is written.
+  ~GraphSession();
 
   SessionId id() const { return id_; }
 
   void add(const GraphNode& node);
-  void add(const MapUpdate& update);
+  void add(const MapUpdatePtr& update);
   /// Optimises when the scans up to the closures' last are there, and answers with a correction.
   void add(const LoopClosures& closures);
   /// Does this as soon as so many scans are there: at once, or when they have been added. In order.
@@ -45,14 +54,27 @@ class GraphSession {
   /// Leaves a loop out and optimises without it. @return whether there was one to leave out.
   bool disable(LoopId id);
 
-  void reconfigure(const BackEndConfig& config) { graph_.reconfigure(config); }
+  void reconfigure(const BackEndConfig& config);
 
-  /// What the graph says, into the folder if there is one.
-  void writeGraph() const;
-  /// All files, into any folder; empty: that of the session.
-  void save(const std::string& folder);
-  /// All files, into the folder if there is one.
-  void saveOwn();
+  /// Makes all files that can be made of the session by now, in its folder if there is one.
+  /// @return what could not be made, and why. @throws std::runtime_error naming what cannot be
+  /// written.
+  std::vector<std::string> saveOwn(const ExportProgress& progress = {});
+  /// The session and all files made of it in another folder, which gets a number behind its name if
+  /// it is in use already; a relative one is in live/folder. @return where they are.
+  /// @throws std::runtime_error naming what cannot be written.
+  std::string save(const std::string& folder);
+  /// Writes what is known, scans in the open submap included, and what the graph says: fast, for
+  /// the end of a process. @throws std::runtime_error naming what cannot be written.
+  void writeRest();
+
+  /// What the graph knows for run.json.
+  void tell(RunSummary& summary) const;
+  /// run.json of what the graph knows, in the folder if there is one. @throws std::runtime_error
+  void writeSummary() const;
+
+  /// The session as it is now, for exports; its submaps are those in the folder.
+  Session snapshot() const;
 
   const SlamGraph& graph() const { return graph_; }
   const OptimisationCount& count() const { return count_; }
@@ -60,28 +82,49 @@ class GraphSession {
   /// By number; null where occupancy is switched off.
   const std::vector<SubmapOccupancyPtr>& occupancies() const { return occupancies_; }
   /// Empty: nothing is written unless asked for.
-  const std::string& folder() const { return folder_; }
-  const std::string& problem() const { return problem_; }
+  const std::string& folder() const { return target_.folder; }
+  /// Why something waits to be written; empty: nothing does.
+  std::string problem() const { return writer_ ? writer_->problem() : ""; }
+  /// Whether every scan is in a submap that is closed.
+  bool isWhole() const { return logged_scans_ == graph_.size(); }
 
  private:
-  void optimise(ScanId last, const std::vector<LoopConstraint>& loops, std::uint32_t request);
+  void optimise(ScanId last, const std::vector<LoopConstraint>& loops, std::uint32_t request,
+                std::optional<LoopId> disabled = {});
   void answer(ScanId last, std::uint32_t request);
   void doWhatIsDue();
-  Points detailOf(const SubmapPtr& submap) const;
+
+  void log(const MapUpdatePtr& update);
+  void logOptimisation(std::vector<LoopConstraint> loops, std::optional<LoopId> disabled);
+  void logTrajectory();
+  GraphOptimised optimised(std::vector<LoopConstraint> new_loops) const;
+  TrajectoryWritten optimisedTrajectory() const;
+  std::vector<GraphNode> nodesFrom(std::size_t first, std::size_t end) const;
+  void careForWriter();
+  void writeAll(SessionWriter& writer, const SessionWriter* lost) const;
+  MapUpdatePtr stored(std::size_t submap, const SessionWriter* lost) const;
+  void requireWritten();
 
   const SessionId id_;
-  MappingConfig mapping_;
-  OccupancyConfig occupancy_;
+  SlamConfig config_;
+  SessionInfo info_;
+  SessionTarget target_;
   SlamGraph graph_;
   const OnCorrection on_correction_;
   std::uint32_t version_ = 0;
-  std::optional<ScanId> last_optimised_;
+  std::optional<ScanId> last_optimised_;  // may also have come without loops
+  ScanId last_corrected_;                 // of version_
   OptimisationCount count_;
 
   std::vector<SubmapPtr> submaps_;  // by number
   std::vector<SubmapOccupancyPtr> occupancies_;
-  std::string folder_, problem_;
-  std::optional<SlamFiles> files_;
+  std::vector<SubmapClosed> closed_;  // those of submaps_ whose scans are all there
+  std::size_t logged_scans_ = 0;      // that are in closed_
+  std::vector<StoredLocalMap> local_maps_;
+  std::vector<LocalMapPtr> unsearched_;  // local maps
+
+  std::unique_ptr<SessionWriter> writer_;  // null: nothing is written
+  std::uint32_t trajectory_version_ = 0;   // of what was logged
 
   struct Later {
     std::size_t scans;
@@ -89,9 +132,6 @@ class GraphSession {
   };
   std::deque<Later> later_;
 };
-
-/// Makes live/folder. @throws ParameterError where that is not possible.
-void requireFolder(const LiveConfig& live);
 
 /// How many loop constraints take part in the graph.
 std::size_t activeLoops(const SlamGraph& graph);

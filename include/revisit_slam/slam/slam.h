@@ -17,7 +17,9 @@ namespace revisit_slam {
 class Slam {
  public:
   /// Observer and executor must outlive this.
-  Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor);
+  /// `targets`: where sessions are written; null: as live/folder says.
+  Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
+       SessionTargets targets = {});
   ~Slam();
 
   /// `times`: what the reading took, for the observer.
@@ -33,6 +35,7 @@ class Slam {
 
   const ScanAccount& account() const { return odometry_.account(); }
   /// After finish(): the last; null without scans.
+  GraphSession* session() { return back_end_.session(); }
   const GraphSession* session() const { return back_end_.session(); }
 
  private:

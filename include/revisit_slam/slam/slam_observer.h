@@ -27,7 +27,7 @@ class SlamObserver {
   virtual void onLoopSearch(const LoopSearchResult&) {}
   virtual void onCorrection(const MapCorrectionPtr&) {}
   /// A session has ended: all its maps are closed and searched.
-  virtual void onSession(const GraphSession&) {}
+  virtual void onSession(GraphSession&) {}
 };
 
 }  // namespace revisit_slam

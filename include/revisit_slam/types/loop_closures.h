@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "revisit_slam/types/constraint.h"
 #include "revisit_slam/types/ids.h"
 
 namespace revisit_slam {
+
+struct PlaceView;
 
 /// The loop constraints that a search for one local map has found, for the graph.
 struct LoopClosures {
@@ -18,6 +21,8 @@ struct LoopClosures {
   std::uint32_t request = 0;
   /// Without any there is nothing to correct, and no answer.
   std::vector<LoopConstraint> constraints;
+  /// The map as place recognition sees it, for the session's files; null for retroactive ones.
+  std::shared_ptr<const PlaceView> view;
 };
 
 }  // namespace revisit_slam

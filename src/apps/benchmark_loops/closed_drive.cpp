@@ -8,7 +8,7 @@
 
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/scan_reader.h"
-#include "revisit_slam/session/graph_files.h"
+#include "revisit_slam/session/session_graph.h"
 #include "revisit_slam/slam/slam.h"
 #include "revisit_slam/util/process_usage.h"
 #include "revisit_slam/util/progress.h"
@@ -63,7 +63,7 @@ class ClosureRecorder : public SlamObserver {
 
   ClosedDrive take(const GraphSession& session) {
     return {std::move(maps_), std::move(at_the_end_), session.graph().loops(),
-            trajectoryOf(session.graph())};
+            trajectoryOf(graphOf(session.graph()))};
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
@@ -19,7 +20,8 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       total_(max_scans > 0 ? std::min(max_scans, source_->size()) : source_->size()),
       progress_("mapping", "scans", total_, quiet),
       executor_(config.background),
-      slam_(config, *this, executor_) {}
+      slam_(config, *this, executor_,
+            [this](SessionId session, Stamp) { return targetOf(session); }) {}
 
 bool OfflineRun::run() {
   progress_.say(source_->description() + ", " + std::to_string(total_) + " scans");
@@ -52,12 +54,15 @@ bool OfflineRun::processAll() {
   double cpu_before_reading = threadCpuSeconds();
   const std::string damage = source_->forEach([&](const ScanMessage& message) {
     reading_cpu_seconds_ += threadCpuSeconds() - cpu_before_reading;
-    if (done == total_) return false;
+    if (done == total_ || interruption() != 0) return false;
     process(message);
     progress_.update(++done);
     cpu_before_reading = threadCpuSeconds();
     return true;
   });
+  if (interruption() != 0)
+    progress_.say("interrupted after scan " + std::to_string(done) +
+                  ": finishing its map; once more ends at once");
   if (!damage.empty()) progress_.say("after scan " + std::to_string(done) + ": " + damage);
   return damage.empty();
 }
@@ -103,20 +108,28 @@ void OfflineRun::sayTimeSource() {
 }
 
 /// The first session is in the folder itself, others in folders within.
-SlamFiles& OfflineRun::filesOf(SessionId session) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const std::string folder =
-      session.value == 0 ? "" : "session_" + std::to_string(session.value + 1);
-  return files_.try_emplace(session, folder_.file(folder), config_.mapping, config_.occupancy)
-      .first->second;
+SessionTarget OfflineRun::targetOf(SessionId session) const {
+  if (session.value == 0) return {folder_.path(), source_->description(), folder_.lock(), true};
+  return {folder_.file("session_" + std::to_string(session.value + 1)), source_->description(),
+          nullptr, false};
 }
 
 void OfflineRun::onMaps(const MapUpdate& update) {
-  filesOf(update.submap->id.session).add(update);
   if (update.local_map) memory_.push_back({folder_.pathLength(), memoryMegabytes()});
 }
 
+/// What waits to be written is no reason to stop, but to make room. In the background, whose
+/// session it is.
+void OfflineRun::sayWhatWaits() {
+  const std::string problem = slam_.session() != nullptr ? slam_.session()->problem() : "";
+  if (problem == said_problem_) return;
+  said_problem_ = problem;
+  progress_.say(problem.empty() ? "everything is on disk again"
+                                : "not on disk, and tried again: " + problem);
+}
+
 void OfflineRun::onLoopSearch(const LoopSearchResult& result) {
+  sayWhatWaits();
   const std::lock_guard<std::mutex> lock(mutex_);
   background_times_.push_back(result.times);
   if (result.origin == LoopOrigin::retroactive) {
@@ -135,8 +148,12 @@ void OfflineRun::onCorrection(const MapCorrectionPtr& correction) {
 }
 
 /// The last one is written when everything is known of the run.
-void OfflineRun::onSession(const GraphSession& session) {
-  if (&session != slam_.session()) filesOf(session.id()).write(session.graph());
+void OfflineRun::onSession(GraphSession& session) {
+  if (&session != slam_.session()) exportMaps(session);
+}
+
+void OfflineRun::exportMaps(GraphSession& session) {
+  for (const std::string& notice : session.saveOwn()) progress_.say(notice);
 }
 
 void OfflineRun::writeResults() {
@@ -145,6 +162,7 @@ void OfflineRun::writeResults() {
   RunSummary summary;
   summary.parameters = parametersOf(config_);
   summary.account = account;
+  summary.interrupted = interruption() != 0;
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
   summary.time_source = reader_.description();
@@ -153,9 +171,10 @@ void OfflineRun::writeResults() {
   summary.finish_seconds = finish_seconds_;
   summary.memory_mb_per_km = memoryPerKilometre();
   summary.threads = config_.odometry.threads;
-  countLoops(summary);
+  summary.retroactive_pairs = retroactive_pairs_;
+  if (slam_.session() != nullptr) slam_.session()->tell(summary);
   if (config_.mapping.enabled && account.processed > 0) {
-    filesOf(slam_.session()->id()).write(slam_.session()->graph());
+    exportMaps(*slam_.session());
     judgeConsistency(summary);
   }
   folder_.finish(summary);
@@ -164,24 +183,10 @@ void OfflineRun::writeResults() {
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {
-  const MapConsistency consistency =
-      filesOf(slam_.session()->id()).consistency(slam_.session()->graph());
-  summary.revisited_cells = consistency.cells.size();
-  if (consistency.cells.empty()) return;
-  summary.consistency_mean = consistency.of_pairs.mean;
-  summary.consistency_deviation = consistency.of_pairs.standard_deviation;
-  progress_.say("revisited places agree within " + std::to_string(consistency.of_pairs.mean) +
-                " m RMS (" + std::to_string(consistency.cells.size()) + " cells)");
-}
-
-void OfflineRun::countLoops(RunSummary& summary) const {
-  summary.retroactive_pairs = retroactive_pairs_;
-  const GraphSession* session = slam_.session();
-  if (session == nullptr) return;
-  for (const LoopEdge& edge : session->graph().loops())
-    ++summary.loops[std::string(toString(edge.loop.origin)) + " " + toString(edge.state)];
-  summary.optimisations = session->count().optimisations;
-  summary.rejected_optimisations = session->count().rejected;
+  judge(consistencyOf(slam_.session()->snapshot()), summary);
+  if (summary.revisited_cells > 0)
+    progress_.say("revisited places agree within " + std::to_string(summary.consistency_mean) +
+                  " m RMS (" + std::to_string(summary.revisited_cells) + " cells)");
 }
 
 /// Growth between the first and the last local map, where these are far enough from each other.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -11,7 +10,6 @@
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/input/scan_source.h"
 #include "revisit_slam/session/run_folder.h"
-#include "revisit_slam/session/slam_files.h"
 #include "revisit_slam/slam/slam.h"
 #include "revisit_slam/util/progress.h"
 
@@ -34,10 +32,11 @@ class OfflineRun : private SlamObserver {
   void insert(ScanReading reading, StageClock clock);
   void finishMaps();
   void sayTimeSource();
-  SlamFiles& filesOf(SessionId session);
+  SessionTarget targetOf(SessionId session) const;
+  void exportMaps(GraphSession& session);
+  void sayWhatWaits();
   void writeResults();
   void judgeConsistency(RunSummary& summary);
-  void countLoops(RunSummary& summary) const;
   double memoryPerKilometre() const;
 
   void onScan(const InformedScan& informed, const StageTimes& times) override;
@@ -46,7 +45,7 @@ class OfflineRun : private SlamObserver {
   void onMaps(const MapUpdate& update) override;
   void onLoopSearch(const LoopSearchResult& result) override;
   void onCorrection(const MapCorrectionPtr& correction) override;
-  void onSession(const GraphSession& session) override;
+  void onSession(GraphSession& session) override;
 
   using Clock = std::chrono::steady_clock;
   /// Memory held after a local map was closed, and where on the way that was.
@@ -66,10 +65,11 @@ class OfflineRun : private SlamObserver {
   double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
   std::vector<MemoryMark> memory_;
 
-  std::mutex mutex_;  // guards the next three
-  std::map<SessionId, SlamFiles> files_;
+  std::string said_problem_;  // of the background
+
+  std::mutex mutex_;  // guards the next two
   std::vector<StageTimes> background_times_;
-  int retroactive_pairs_ = 0;  // likewise
+  int retroactive_pairs_ = 0;
 
   StagedExecutor executor_;
   Slam slam_;  // last: its stages speak to the observer

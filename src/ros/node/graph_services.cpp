@@ -32,14 +32,16 @@ bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response)
   try {
     do_in_worker_([&](GraphSession* session) {
       if (!session) throw std::runtime_error("there is nothing to save yet");
-      session->save(request.folder);
-      response.path = request.folder.empty() ? session->folder() : request.folder;
+      response.path = session->save(request.folder);
       response.scans = static_cast<std::uint32_t>(session->graph().size());
       response.submaps = static_cast<std::uint32_t>(session->submaps().size());
       response.loops = static_cast<std::uint32_t>(activeLoops(session->graph()));
     });
-    response.success = true;
-    response.message = "saved to " + response.path;
+    response.success = response.submaps > 0;
+    response.message = response.success
+                           ? "saved to " + response.path
+                           : "only trajectory and graph are in " + response.path +
+                                 ": no submap is closed yet; back_end/finish closes it";
   } catch (const std::exception& error) {
     response.message = error.what();
   }

@@ -15,6 +15,7 @@ void GraphStatus::note(const GraphSession& session) {
   submaps_ = session.submaps().size();
   count_ = session.count();
   folder_ = session.folder();
+  problem_ = session.problem();
   if (count_.optimisations > 0) return;  // else a session that has just begun
   version_ = 0;
   told_rejections_ = 0;
@@ -47,6 +48,10 @@ void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& s
   if (waiting > most_waiting) {
     status.level = status.WARN;
     status.message = "falling behind";
+  }
+  if (!problem_.empty()) {
+    status.level = status.ERROR;
+    status.message = "the map is not on disk, and is tried again: " + problem_;
   }
   told_rejections_ = count_.rejected;
   told_misses_ = missed_scans_;

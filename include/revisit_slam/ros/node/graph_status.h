@@ -30,7 +30,7 @@ class GraphStatus {
   int told_rejections_ = 0, missed_scans_ = 0, told_misses_ = 0;
   std::uint32_t version_ = 0;
   double moved_end_ = 0.0;  // m
-  std::string folder_;
+  std::string folder_, problem_;
 };
 
 }  // namespace revisit_slam

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/io/folder_lock.h"
+#include "revisit_slam/io/growing_file.h"
+#include "revisit_slam/session/session_reader.h"
+#include "revisit_slam/session/stored_local_map.h"
+#include "revisit_slam/util/lane.h"
+
+namespace revisit_slam {
+
+/// Where a session is written, and where its scans come from.
+struct SessionTarget {
+  std::string folder;                ///< empty: nowhere
+  std::string sensor;                ///< for session.yaml
+  std::shared_ptr<FolderLock> lock;  ///< null: the writer locks the folder itself
+  bool is_ours = false;              ///< what is in the folder was written for this session
+};
+
+/// Writes a session while it is driven, in a thread of its own, in the order in which it is told.
+/// What cannot be written waits, and is tried again with whatever comes next: nobody else has to
+/// care. Costs what is new, never what has been.
+class SessionWriter {
+ public:
+  /// Makes the folder, where it can. `niceness` of the thread.
+  SessionWriter(SessionTarget target, SessionInfo info, int niceness);
+  ~SessionWriter();
+
+  /// A submap that was closed, and the scans since the one before.
+  void add(std::vector<GraphNode> scans, const SubmapClosed& closed, const MapUpdatePtr& update);
+  void add(const StoredLocalMap& map);
+  void add(LogEntry entry);
+  /// Every scan is in a submap that was added.
+  void close();
+
+  /// Tries again what waits.
+  void retry();
+  /// Returns when everything is tried, and handed to the disk.
+  void drain();
+
+  /// Why something waits to be written; empty: nothing does. Thread-safe.
+  std::string problem() const;
+  /// The log has been removed, with all that was in it. Thread-safe.
+  bool lost() const { return lost_; }
+
+  const std::string& folder() const { return target_.folder; }
+  /// After drain(): submaps whose files are not written yet.
+  const std::map<SubmapId, MapUpdatePtr>& unwritten() const { return unwritten_; }
+
+ private:
+  using Job = std::function<void()>;
+
+  void post(Job job);
+  void work();
+  void begin();
+  void setClosed(bool closed);
+  void write(const std::string& path, const std::string& bytes);
+  void noteProblem(const std::string& problem);
+
+  SessionTarget target_;
+  SessionInfo info_;
+
+  mutable std::mutex mutex_;  // guards the next one
+  std::string problem_;
+  std::atomic<bool> lost_{false};
+
+  // Of the thread.
+  std::deque<Job> jobs_;
+  std::map<SubmapId, MapUpdatePtr> unwritten_;
+  std::optional<GrowingFile> log_;
+
+  ThreadLane lane_;  // last: its thread uses the above
+};
+
+/// @throws std::runtime_error where a session, or files of one, are in the folder.
+void requireUnused(const std::string& folder);
+
+}  // namespace revisit_slam

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/graph_log.h"
+
+#include <initializer_list>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/io/bytes.h"
+#include "revisit_slam/io/record_file.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr char kKind[] = "RSGRAPH\n";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kNoLoop = ~std::uint32_t{0};
+
+enum Type : std::uint32_t { kSubmap = 1, kScans, kOptimised, kTrajectory, kParameters };
+
+template <typename Element>
+void putCount(const std::vector<Element>& elements, ByteWriter& bytes) {
+  bytes.put(static_cast<std::uint32_t>(elements.size()));
+}
+
+void put(const LoopConstraint& loop, ByteWriter& bytes) {
+  bytes.put(loop.constraint.from);
+  bytes.put(loop.constraint.to);
+  bytes.put(loop.constraint.T_from_to);
+  bytes.put(loop.constraint.information);
+  bytes.put(loop.target);
+  bytes.put(loop.source);
+  bytes.put(loop.target_map);
+  bytes.put(loop.source_map);
+  bytes.put(static_cast<std::uint8_t>(loop.origin));
+  bytes.put(loop.fitness);
+  bytes.put(static_cast<std::int32_t>(loop.inliers));
+}
+
+LoopConstraint getLoop(ByteReader& bytes) {
+  LoopConstraint loop;
+  loop.constraint.from = bytes.id<ScanId>();
+  loop.constraint.to = bytes.id<ScanId>();
+  loop.constraint.T_from_to = bytes.pose();
+  loop.constraint.information = bytes.matrix();
+  loop.target = bytes.id<SubmapId>();
+  loop.source = bytes.id<SubmapId>();
+  loop.target_map = bytes.id<LocalMapId>();
+  loop.source_map = bytes.id<LocalMapId>();
+  loop.origin = static_cast<LoopOrigin>(bytes.get<std::uint8_t>());
+  loop.fitness = bytes.get<double>();
+  loop.inliers = bytes.get<std::int32_t>();
+  return loop;
+}
+
+Type put(const SubmapClosed& submap, ByteWriter& bytes) {
+  bytes.put(submap.id);
+  bytes.put(submap.local_map);
+  bytes.put(submap.first_scan);
+  bytes.put(submap.last_scan);
+  bytes.put(submap.stamp);
+  for (const Eigen::Vector3f& corner : {submap.box_submap.min(), submap.box_submap.max()})
+    for (int axis = 0; axis < 3; ++axis) bytes.put(corner[axis]);
+  return kSubmap;
+}
+
+SubmapClosed getSubmap(ByteReader& bytes) {
+  SubmapClosed submap;
+  submap.id = bytes.id<SubmapId>();
+  submap.local_map = bytes.id<LocalMapId>();
+  submap.first_scan = bytes.id<ScanId>();
+  submap.last_scan = bytes.id<ScanId>();
+  submap.stamp = bytes.stamp();
+  for (Eigen::Vector3f* corner : {&submap.box_submap.min(), &submap.box_submap.max()})
+    for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = bytes.get<float>();
+  return submap;
+}
+
+Type put(const ScansAdded& scans, ByteWriter& bytes) {
+  for (const GraphNode& node : scans.nodes) {
+    bytes.put(node.id);
+    bytes.put(node.stamp);
+    bytes.put(node.T_odom_base);
+    bytes.put(node.information);
+  }
+  return kScans;
+}
+
+ScansAdded getScans(ByteReader& bytes) {
+  ScansAdded scans;
+  while (bytes.left() > 0) {
+    GraphNode& node = scans.nodes.emplace_back();
+    node.id = bytes.id<ScanId>();
+    node.stamp = bytes.stamp();
+    node.T_odom_base = bytes.pose();
+    node.information = bytes.matrix();
+  }
+  return scans;
+}
+
+Type put(const GraphOptimised& optimised, ByteWriter& bytes) {
+  bytes.put(optimised.version);
+  bytes.put(optimised.last_scan);
+  bytes.put(optimised.disabled ? optimised.disabled->value : kNoLoop);
+  bytes.put(optimised.T_map_odom);
+  putCount(optimised.constraints, bytes);
+  for (const LoopConstraint& loop : optimised.constraints) put(loop, bytes);
+  putCount(optimised.T_map_keypose, bytes);
+  for (const Pose& T : optimised.T_map_keypose) bytes.put(T);
+  for (const GraphOptimised::Decision& decision : optimised.decisions) {
+    bytes.put(static_cast<std::uint8_t>(decision.state));
+    bytes.put(decision.chi2_before);
+    bytes.put(decision.chi2_after);
+    bytes.put(decision.weight);
+  }
+  return kOptimised;
+}
+
+GraphOptimised getOptimised(ByteReader& bytes) {
+  GraphOptimised optimised;
+  optimised.version = bytes.get<std::uint32_t>();
+  optimised.last_scan = bytes.id<ScanId>();
+  const auto disabled = bytes.get<std::uint32_t>();
+  if (disabled != kNoLoop) optimised.disabled = LoopId{disabled, optimised.last_scan.session};
+  optimised.T_map_odom = bytes.pose();
+  for (auto n = bytes.get<std::uint32_t>(); n > 0; --n)
+    optimised.constraints.push_back(getLoop(bytes));
+  for (auto n = bytes.get<std::uint32_t>(); n > 0; --n)
+    optimised.T_map_keypose.push_back(bytes.pose());
+  while (bytes.left() > 0) {
+    GraphOptimised::Decision& decision = optimised.decisions.emplace_back();
+    decision.state = static_cast<LoopState>(bytes.get<std::uint8_t>());
+    decision.chi2_before = bytes.get<double>();
+    decision.chi2_after = bytes.get<double>();
+    decision.weight = bytes.get<double>();
+  }
+  return optimised;
+}
+
+Type put(const TrajectoryWritten& trajectory, ByteWriter& bytes) {
+  bytes.put(trajectory.version);
+  for (const Pose& T : trajectory.T_map_scan) bytes.put(T);
+  return kTrajectory;
+}
+
+TrajectoryWritten getTrajectory(ByteReader& bytes) {
+  TrajectoryWritten trajectory;
+  trajectory.version = bytes.get<std::uint32_t>();
+  while (bytes.left() > 0) trajectory.T_map_scan.push_back(bytes.pose());
+  return trajectory;
+}
+
+/// Lines "name=value", as on a command line.
+Type put(const ParametersChanged& changed, ByteWriter& bytes) {
+  std::string text;
+  for (const auto& [name, value] : changed.values)
+    text.append(name).append("=").append(value) += '\n';
+  bytes.putAll(std::vector<char>(text.begin(), text.end()));
+  return kParameters;
+}
+
+ParametersChanged getParameters(ByteReader& bytes) {
+  ParametersChanged changed;
+  std::string line;
+  for (const char letter : bytes.rest<char>()) {
+    if (letter != '\n') {
+      line += letter;
+      continue;
+    }
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos) throw std::runtime_error("a parameter without a value");
+    changed.values.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+    line.clear();
+  }
+  return changed;
+}
+
+std::optional<LogEntry> decode(const Record& record) {
+  ByteReader bytes(record.payload);
+  switch (record.type) {
+    case kSubmap:
+      return getSubmap(bytes);
+    case kScans:
+      return getScans(bytes);
+    case kOptimised:
+      return getOptimised(bytes);
+    case kTrajectory:
+      return getTrajectory(bytes);
+    case kParameters:
+      return getParameters(bytes);
+    default:
+      return std::nullopt;  // of a later version, which says that older ones can do without
+  }
+}
+
+}  // namespace
+
+SubmapClosed closedOf(const Submap& submap, const Points& detail_submap) {
+  SubmapClosed closed{submap.id,         submap.local_map,      submap.first_scan,
+                      submap.lastScan(), submap.stamps.front(), {}};
+  for (const Eigen::Vector3f& point : detail_submap) closed.box_submap.extend(point);
+  return closed;
+}
+
+std::string graphLogHeader() {
+  return recordFileHeader(kKind, kVersion);
+}
+
+std::string encodeEntry(const LogEntry& entry) {
+  ByteWriter bytes;
+  const Type type = std::visit([&](const auto& what) { return put(what, bytes); }, entry);
+  return encodeRecord({type, bytes.bytes()});
+}
+
+GraphLog readGraphLog(const std::string& path) {
+  RecordFile file = readRecordFile(path, kKind, kVersion);
+  GraphLog log;
+  log.damage = std::move(file.damage);
+  for (const Record& record : file.records)
+    if (std::optional<LogEntry> entry = decode(record)) log.entries.push_back(std::move(*entry));
+  return log;
+}
+
+}  // namespace revisit_slam

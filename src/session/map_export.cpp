@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/map_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/evaluation/consistency_builder.h"
+#include "revisit_slam/evaluation/revisit_cells.h"
+#include "revisit_slam/io/cloud_file.h"
+#include "revisit_slam/io/grid_file.h"
+#include "revisit_slam/io/octomap_file.h"
+#include "revisit_slam/io/pcd.h"
+#include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/session/stored_submap.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kTile = 200.0;  // m, of the map in memory at a time
+/// Cells that a grid may have: of one byte each.
+constexpr double kLargestGrid = 1e9;
+/// Larger than submaps are long, so that every passage through a cell has a keypose in it.
+constexpr double kConsistencyCell = 40.0;  // m
+
+using Tile = std::pair<int, int>;
+
+int tileOf(double metres, double edge) {
+  return static_cast<int>(std::floor(metres / edge));
+}
+
+/// The tiles that a box may touch once it is placed.
+std::vector<Tile> tilesOf(const Eigen::AlignedBox3f& box, const Pose& T, double edge) {
+  Eigen::AlignedBox2d placed;
+  for (int corner = 0; corner < 8; ++corner)
+    placed.extend(
+        (T * Eigen::Vector3d(
+                 box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)).cast<double>()))
+            .head<2>());
+  std::vector<Tile> tiles;
+  for (int x = tileOf(placed.min().x(), edge); x <= tileOf(placed.max().x(), edge); ++x)
+    for (int y = tileOf(placed.min().y(), edge); y <= tileOf(placed.max().y(), edge); ++y)
+      tiles.emplace_back(x, y);
+  return tiles;
+}
+
+Points within(const Tile& tile, double edge, const Points& points, const Pose& T) {
+  Points inside;
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3d placed = T * Eigen::Vector3d(point.cast<double>());
+    if (Tile{tileOf(placed.x(), edge), tileOf(placed.y(), edge)} == tile)
+      inside.push_back(placed.cast<float>());
+  }
+  return inside;
+}
+
+void makeFolder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
+}
+
+/// One map, made once.
+class MapExport {
+ public:
+  MapExport(const Session& session, const std::string& folder, const ExportConfig& config,
+            const ExportProgress& progress)
+      : session_(session),
+        folder_(folder),
+        config_(config),
+        progress_(progress),
+        parameters_(storedParameters(session.info)) {}
+
+  std::vector<std::string> run() {
+    makeFolder(folder_);
+    if (config_.graph) writeGraphFiles();
+    if (config_.submaps) writeSubmaps();
+    if (!config_.clouds.empty()) writeClouds();
+    if (config_.occupancy && parameters_.occupancy.enabled && !session_.submaps.empty())
+      writeOccupancy();
+    tell(1.0);
+    return notices_;
+  }
+
+ private:
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  const Pose& placeOf(const SubmapClosed& submap) const {
+    return session_.graph.T_map_scan.at(submap.first_scan.value);
+  }
+  void tell(double share) const {
+    if (progress_) progress_(share);
+  }
+
+  void writeGraphFiles() {
+    const Trajectory trajectory = trajectoryOf(session_.graph);
+    writeTum(file("trajectory.tum"), trajectory);
+    writeKitti(file("trajectory_kitti.txt"), trajectory);
+    writeGraph(file("pose_graph.g2o"), session_.graph);
+    writeLoops(file("loop_closures.csv"), session_.graph);
+    makeFolder(file("submaps"));
+    writeTable();
+    tell(0.1);
+  }
+
+  /// Which scans a submap has, and where it lies.
+  void writeTable() const {
+    std::ostringstream table;
+    table << "submap,local_map,first_scan,last_scan,stamp,x,y,z,qx,qy,qz,qw\n";
+    for (const SubmapClosed& submap : session_.submaps) {
+      const Eigen::Vector3d& t = placeOf(submap).translation;
+      const Eigen::Quaterniond& q = placeOf(submap).rotation;
+      char pose[256];
+      std::snprintf(pose, sizeof(pose), "%.6f,%.6f,%.6f,%.9f,%.9f,%.9f,%.9f", t.x(), t.y(), t.z(),
+                    q.x(), q.y(), q.z(), q.w());
+      table << submap.id.value << "," << submap.local_map.value << "," << submap.first_scan.value
+            << "," << submap.last_scan.value << "," << stampText(submap.stamp) << "," << pose
+            << "\n";
+    }
+    writeWholeText(file("submaps/submaps.csv"), table.str());
+  }
+
+  /// What is wanted of a submap; nothing, and a notice, where its file cannot be used.
+  MapUpdate read(const SubmapClosed& submap, SubmapRecord wanted) {
+    try {
+      return readSubmap(submapFile(session_.folder, submap.id), {wanted});
+    } catch (const std::runtime_error& error) {
+      note(std::string(error.what()) + "; the map is without submap " +
+           std::to_string(submap.id.value));
+      return {};
+    }
+  }
+
+  void note(const std::string& notice) {
+    if (std::find(notices_.begin(), notices_.end(), notice) == notices_.end())
+      notices_.push_back(notice);
+  }
+
+  void writeSubmaps() {
+    makeFolder(file("submaps"));
+    for (const SubmapClosed& submap : session_.submaps) {
+      tell(0.1 + 0.2 * submap.id.value / static_cast<double>(session_.submaps.size()));
+      const Points points = read(submap, SubmapRecord::detail).detail_submap;
+      char name[32];
+      std::snprintf(name, sizeof(name), "submaps/%06u.pcd", submap.id.value);
+      if (!points.empty()) writePcd(file(name), points);
+    }
+  }
+
+  /// One point for each voxel, a tile of the map in memory at a time.
+  void writeClouds() {
+    const double edge = config_.tile.value_or(kTile);
+    std::map<Tile, std::vector<const SubmapClosed*>> submaps_of_tile;
+    for (const SubmapClosed& submap : session_.submaps)
+      if (!submap.box_submap.isEmpty())
+        for (const Tile& tile : tilesOf(submap.box_submap, placeOf(submap), edge))
+          submaps_of_tile[tile].push_back(&submap);
+    if (submaps_of_tile.empty()) return note("there is no map: no submap is closed");
+    if (config_.tile) makeFolder(file("map_tiles"));
+    Outputs whole;
+    std::size_t done = 0;
+    const auto write_all = [&](auto then) {
+      for (const auto& [tile, submaps] : submaps_of_tile) {
+        const Points points = merged(tile, edge, submaps);
+        then(tile, points);
+        tell(0.3 + 0.5 * static_cast<double>(++done) / static_cast<double>(submaps_of_tile.size()));
+      }
+    };
+    if (config_.tile)
+      return write_all([&](const Tile& tile, const Points& points) { writeTile(tile, points); });
+    // Streams of all formats at a time, so that submaps are read once.
+    for (const std::string& format : config_.clouds)
+      whole.emplace_back(std::make_unique<Output>(format, file("map." + format)));
+    write_all([&](const Tile&, const Points& points) {
+      for (const auto& output : whole) output->stream->write(points);
+    });
+    for (const auto& output : whole) output->finish();
+  }
+
+  /// A cloud that is there when it is whole.
+  struct Output {
+    Output(const std::string& format, const std::string& path)
+        : path(path), temporary(path + ".part"), stream(makeCloudStream(format, temporary)) {}
+    ~Output() { std::remove(temporary.c_str()); }
+    void finish() {
+      stream->finish();
+      stream.reset();
+      replaceWholeFile(temporary, path);
+    }
+
+    std::string path, temporary;
+    std::unique_ptr<CloudStream> stream;
+  };
+  using Outputs = std::vector<std::unique_ptr<Output>>;
+
+  Points merged(const Tile& tile, double edge, const std::vector<const SubmapClosed*>& submaps) {
+    PointMap map(std::max(config_.resolution.value_or(0.0), parameters_.mapping.detail_voxel_size));
+    for (const SubmapClosed* submap : submaps)
+      map.insert(
+          within(tile, edge, read(*submap, SubmapRecord::detail).detail_submap, placeOf(*submap)),
+          Pose::identity());
+    return map.points();
+  }
+
+  void writeTile(const Tile& tile, const Points& points) {
+    if (points.empty()) return;
+    for (const std::string& format : config_.clouds) {
+      Output output(format, file("map_tiles/map_" + std::to_string(tile.first) + "_" +
+                                 std::to_string(tile.second) + "." + format));
+      output.stream->write(points);
+      output.finish();
+    }
+  }
+
+  void writeOccupancy() {
+    OccupancyMap map(parameters_.occupancy);
+    for (const SubmapClosed& submap : session_.submaps)
+      if (const SubmapOccupancyPtr occupancy = read(submap, SubmapRecord::occupancy).occupancy)
+        map.place(submap.id, occupancy, placeOf(submap));
+    map.compose();
+    tell(0.9);
+    guarded("map.bt", [&] { writeOctree(map); });
+    guarded("map.pgm", [&] { writeProjectedGrid(map); });
+  }
+
+  /// What one file cannot take is no reason to leave out the others.
+  template <typename Write>
+  void guarded(const std::string& name, const Write& write) {
+    try {
+      write();
+    } catch (const std::exception& error) {
+      note(name + " was not made: " + error.what());
+    }
+  }
+
+  void writeOctree(const OccupancyMap& map) {
+    if (fitsOctree(map)) return writeOctomap(file("map.bt"), map);
+    makeFolder(file("map_tiles"));
+    std::ostringstream table;
+    table << "file,x,y,z\n";
+    forEachOctreeTile(map, [&](const OctreeTile& tile) {
+      const std::string name =
+          "map_" + std::to_string(tile.number.x()) + "_" + std::to_string(tile.number.y()) + ".bt";
+      writeOctomap(file("map_tiles/" + name), *tile.tree);
+      table << name << "," << tile.origin_map.x() << "," << tile.origin_map.y() << ","
+            << tile.origin_map.z() << "\n";
+    });
+    writeWholeText(file("map_tiles/octomap.csv"), table.str());
+    note(
+        "map.bt was not made: the map is larger than an octree of 16 levels; it is in "
+        "map_tiles/*.bt, whose origins are in map_tiles/octomap.csv");
+  }
+
+  void writeProjectedGrid(const OccupancyMap& map) {
+    Eigen::AlignedBox2d box;
+    for (const OccupancyBlock& block : map.blocks())
+      box.extend(block.block.head<2>().cast<double>().eval());
+    if (!box.isEmpty() &&
+        (box.sizes().array() + 1.0).prod() * kBlockEdge * kBlockEdge > kLargestGrid)
+      throw std::runtime_error("the grid would have more than 1e9 cells");
+    writeGrid(file("map"), projectedGrid(map, parameters_.occupancy.grid));
+  }
+
+  const Session& session_;
+  const std::string folder_;
+  const ExportConfig& config_;
+  const ExportProgress& progress_;
+  StoredParameters parameters_;
+  std::vector<std::string> notices_;
+};
+
+}  // namespace
+
+std::vector<std::string> exportSession(const Session& session, const std::string& folder,
+                                       const ExportConfig& config, const ExportProgress& progress) {
+  return MapExport(session, folder, config, progress).run();
+}
+
+MapConsistency consistencyOf(const Session& session) {
+  ConsistencyConfig config;
+  config.cell_size = kConsistencyCell;
+  ConsistencyBuilder builder(findRevisits(trajectoryOf(session.graph), config), config);
+  for (const SubmapClosed& submap : session.submaps)
+    if (builder.wants(submap.stamp))
+      builder.insert(
+          submap.stamp,
+          readSubmap(submapFile(session.folder, submap.id), {SubmapRecord::detail}).detail_submap,
+          session.graph.T_map_scan.at(submap.first_scan.value));
+  return builder.finish();
+}
+
+}  // namespace revisit_slam

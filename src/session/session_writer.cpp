@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/session_writer.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/session/stored_submap.h"
+
+namespace revisit_slam {
+namespace {
+
+void makeFolder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
+}
+
+}  // namespace
+
+SessionWriter::SessionWriter(SessionTarget target, SessionInfo info, int niceness)
+    : target_(std::move(target)),
+      info_(std::move(info)),
+      lane_(niceness, [this](std::exception_ptr) { noteProblem("out of memory"); }) {
+  post([this] { begin(); });
+}
+
+SessionWriter::~SessionWriter() {
+  drain();
+}
+
+/// A job that fails stays the first; it may have been done in part and is done again.
+void SessionWriter::post(Job job) {
+  lane_.post([this, job = std::move(job)]() mutable {
+    jobs_.push_back(std::move(job));
+    work();
+  });
+}
+
+void SessionWriter::work() {
+  try {
+    for (; !jobs_.empty(); jobs_.pop_front()) jobs_.front()();
+    noteProblem("");
+  } catch (const std::exception& error) {
+    noteProblem(error.what());
+    if (log_ && log_->removed()) lost_ = true;
+  }
+}
+
+void SessionWriter::retry() {
+  lane_.post([this] { work(); });
+}
+
+void SessionWriter::drain() {
+  retry();
+  lane_.drain();
+}
+
+void SessionWriter::noteProblem(const std::string& problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  problem_ = problem;
+}
+
+std::string SessionWriter::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problem_;
+}
+
+void SessionWriter::begin() {
+  const std::string& folder = target_.folder;
+  makeFolder(folder);
+  if (!target_.is_ours) requireUnused(folder);
+  if (!target_.lock) target_.lock = std::make_shared<FolderLock>(folder);
+  target_.is_ours = true;
+  makeFolder(folder + "/submaps");
+  makeFolder(folder + "/local_maps");
+  writeSessionInfo(folder + "/session.yaml", info_);
+  if (!log_) log_.emplace(folder + "/graph.log");
+  log_->append(graphLogHeader());
+}
+
+void SessionWriter::write(const std::string& path, const std::string& bytes) {
+  makeFolder(std::filesystem::path(path).parent_path().string());
+  writeWholeText(path, bytes);
+}
+
+void SessionWriter::add(std::vector<GraphNode> scans, const SubmapClosed& closed,
+                        const MapUpdatePtr& update) {
+  const SubmapId id = closed.id;
+  lane_.post([this, id, update] { unwritten_[id] = update; });
+  const LogEntry nodes = ScansAdded{std::move(scans)};
+  post([this, id, closed, update, nodes] {
+    setClosed(false);
+    write(submapFile(target_.folder, id), encodeSubmap(*update));
+    log_->append(encodeEntry(nodes) + encodeEntry(closed));
+    log_->sync();
+    unwritten_.erase(id);
+  });
+}
+
+void SessionWriter::add(const StoredLocalMap& map) {
+  post([this, map] { write(localMapFile(target_.folder, map.id), encodeLocalMap(map)); });
+}
+
+void SessionWriter::add(LogEntry entry) {
+  post([this, entry = std::move(entry)] {
+    log_->append(encodeEntry(entry));
+    log_->sync();
+  });
+}
+
+void SessionWriter::close() {
+  post([this] { setClosed(true); });
+}
+
+void SessionWriter::setClosed(bool closed) {
+  if (info_.closed == closed) return;
+  SessionInfo info = info_;
+  info.closed = closed;
+  writeSessionInfo(target_.folder + "/session.yaml", info);
+  info_ = info;
+}
+
+void requireUnused(const std::string& folder) {
+  for (const char* name : {"session.yaml", "graph.log", "submaps", "local_maps", "run.json",
+                           "odometry.tum", "odometry_information.csv", "scan_times.csv",
+                           "trajectory.tum", "pose_graph.g2o", "map.pcd", "map.bt"})
+    if (std::filesystem::exists(folder + "/" + name))
+      throw std::runtime_error("the folder '" + folder + "' holds results already (" + name +
+                               "), which are not overwritten: give another one, or remove them");
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/stored_local_map.h"
+
+#include <stdexcept>
+
+#include "revisit_slam/io/bytes.h"
+#include "revisit_slam/io/record_file.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr char kKind[] = "RSLOCMAP";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kMap = 1, kPlace = 2;
+
+}  // namespace
+
+StoredLocalMap storedLocalMap(const LocalMap& map, const PlaceView* view) {
+  StoredLocalMap stored;
+  stored.id = map.id;
+  for (const SubmapPtr& submap : map.submaps) stored.submaps.push_back(submap->id);
+  if (view == nullptr) return stored;
+  stored.T_level_local = view->T_level_local;
+  stored.pixel = view->image.resolution;
+  stored.features = view->features;
+  return stored;
+}
+
+std::string encodeLocalMap(const StoredLocalMap& map) {
+  ByteWriter head, place;
+  head.put(map.id);
+  for (const SubmapId id : map.submaps) head.put(id);
+  place.put(map.T_level_local);
+  place.put(map.pixel);
+  for (std::size_t i = 0; i < map.features.size(); ++i) {
+    const Keypoint& keypoint = map.features.keypoints[i];
+    place.put(keypoint.i);
+    place.put(keypoint.j);
+    place.put(keypoint.angle);
+    for (const std::uint64_t word : map.features.descriptors[i]) place.put(word);
+  }
+  return recordFileHeader(kKind, kVersion) + encodeRecord({kMap, head.bytes()}) +
+         encodeRecord({kPlace, place.bytes()});
+}
+
+StoredLocalMap readLocalMap(const std::string& path) {
+  const RecordFile file = readRecordFile(path, kKind, kVersion);
+  if (!file.damage.empty()) throw std::runtime_error(file.damage);
+  StoredLocalMap map;
+  for (const Record& record : file.records) {
+    ByteReader bytes(record.payload);
+    if (record.type == kMap) {
+      map.id = bytes.id<LocalMapId>();
+      while (bytes.left() > 0) map.submaps.push_back(bytes.id<SubmapId>());
+    } else if (record.type == kPlace) {
+      map.T_level_local = bytes.pose();
+      map.pixel = bytes.get<double>();
+      while (bytes.left() > 0) {
+        const auto i = bytes.get<std::int16_t>(), j = bytes.get<std::int16_t>();
+        map.features.keypoints.push_back({i, j, bytes.get<float>()});
+        for (std::uint64_t& word : map.features.descriptors.emplace_back())
+          word = bytes.get<std::uint64_t>();
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/stored_submap.h"
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/io/bytes.h"
+#include "revisit_slam/io/record_file.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr char kKind[] = "RSSUBMAP";
+constexpr std::uint32_t kVersion = 1;
+
+std::string record(SubmapRecord type, const ByteWriter& payload) {
+  return encodeRecord({static_cast<std::uint32_t>(type), payload.bytes()});
+}
+
+ByteWriter head(const Submap& submap) {
+  ByteWriter bytes;
+  bytes.put(submap.id);
+  bytes.put(submap.local_map);
+  bytes.put(submap.first_scan);
+  bytes.put(submap.travelled_begin);
+  bytes.put(submap.travelled_end);
+  bytes.put(submap.T_odom_submap);
+  return bytes;
+}
+
+ByteWriter trajectory(const Submap& submap) {
+  ByteWriter bytes;
+  for (std::size_t i = 0; i < submap.stamps.size(); ++i) {
+    bytes.put(submap.stamps[i]);
+    bytes.put(submap.T_submap_scan[i]);
+  }
+  return bytes;
+}
+
+template <typename Element>
+ByteWriter listOf(const std::vector<Element>& elements) {
+  ByteWriter bytes;
+  bytes.putAll(elements);
+  return bytes;
+}
+
+ByteWriter occupancyOf(const SubmapOccupancy& occupancy) {
+  ByteWriter bytes;
+  bytes.put(occupancy.resolution());
+  for (const SubmapOccupancy::Entry& entry : occupancy.entries()) {
+    for (int axis = 0; axis < 3; ++axis) bytes.put(static_cast<std::int32_t>(entry.block[axis]));
+    bytes.put(static_cast<std::uint32_t>(entry.planes));
+    const BlockCounts counts = occupancy.counts(entry);
+    for (int plane = 0; plane < BlockCounts::kPlanes; ++plane)
+      if (entry.planes >> plane & 1)
+        for (const std::uint64_t word : counts.planes[plane].words) bytes.put(word);
+  }
+  return bytes;
+}
+
+void readHead(ByteReader bytes, Submap& submap) {
+  submap.id = bytes.id<SubmapId>();
+  submap.local_map = bytes.id<LocalMapId>();
+  submap.first_scan = bytes.id<ScanId>();
+  submap.travelled_begin = bytes.get<double>();
+  submap.travelled_end = bytes.get<double>();
+  submap.T_odom_submap = bytes.pose();
+}
+
+void readTrajectory(ByteReader bytes, Submap& submap) {
+  while (bytes.left() > 0) {
+    submap.stamps.push_back(bytes.stamp());
+    submap.T_submap_scan.push_back(bytes.pose());
+  }
+}
+
+SubmapOccupancyPtr readOccupancy(ByteReader bytes) {
+  auto occupancy = std::make_shared<SubmapOccupancy>(bytes.get<double>());
+  while (bytes.left() > 0) {
+    Voxel block;
+    for (int axis = 0; axis < 3; ++axis) block[axis] = bytes.get<std::int32_t>();
+    const auto planes = bytes.get<std::uint32_t>();
+    BlockCounts counts;
+    for (int plane = 0; plane < BlockCounts::kPlanes; ++plane)
+      if (planes >> plane & 1)
+        for (std::uint64_t& word : counts.planes[plane].words) word = bytes.get<std::uint64_t>();
+    occupancy->append(block, counts);
+  }
+  occupancy->shrinkToFit();
+  return occupancy;
+}
+
+void take(const Record& record, Submap& submap, MapUpdate& update) {
+  const ByteReader bytes(record.payload);
+  switch (static_cast<SubmapRecord>(record.type)) {
+    case SubmapRecord::submap:
+      return readHead(bytes, submap);
+    case SubmapRecord::trajectory:
+      return readTrajectory(bytes, submap);
+    case SubmapRecord::points:
+      submap.points = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      return;
+    case SubmapRecord::normals:
+      submap.normals = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      return;
+    case SubmapRecord::detail:
+      update.detail_submap = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      return;
+    case SubmapRecord::occupancy:
+      update.occupancy = readOccupancy(bytes);
+      return;
+  }
+}
+
+}  // namespace
+
+std::string encodeSubmap(const MapUpdate& update) {
+  const Submap& submap = *update.submap;
+  std::string file = recordFileHeader(kKind, kVersion);
+  file += record(SubmapRecord::submap, head(submap));
+  file += record(SubmapRecord::trajectory, trajectory(submap));
+  file += record(SubmapRecord::points, listOf(submap.points));
+  file += record(SubmapRecord::normals, listOf(submap.normals));
+  file += record(SubmapRecord::detail, listOf(update.detail_submap));
+  if (update.occupancy) file += record(SubmapRecord::occupancy, occupancyOf(*update.occupancy));
+  return file;
+}
+
+MapUpdate readSubmap(const std::string& path, const std::set<SubmapRecord>& wanted) {
+  std::set<std::uint32_t> types{static_cast<std::uint32_t>(SubmapRecord::submap)};
+  for (const SubmapRecord type : wanted) types.insert(static_cast<std::uint32_t>(type));
+  const RecordFile file = readRecordFile(path, kKind, kVersion, types);
+  if (!file.damage.empty()) throw std::runtime_error(file.damage);
+  auto submap = std::make_shared<Submap>();
+  MapUpdate update;
+  for (const Record& record : file.records) take(record, *submap, update);
+  update.submap = std::move(submap);
+  return update;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/session_writer.h"
+
+#include <gtest/gtest.h>
+
+#include "session/session_fixtures.h"
+#include "support/contains.h"
+#include "support/temporary_folder.h"
+
+namespace revisit_slam {
+namespace {
+
+void add(SessionWriter& writer, std::size_t submap) {
+  const StreetDrive& drive = StreetDrive::get();
+  const MapUpdatePtr& update = drive.updates.at(submap);
+  writer.add(drive.nodesOf(*update->submap), closedOf(*update->submap, update->detail_submap),
+             update);
+}
+
+Session readQuietly(const std::string& folder) {
+  std::vector<std::string> notices;
+  return readSession(folder, notices);
+}
+
+TEST(SessionWriter, WhatCannotBeWrittenWaitsUntilItCan) {
+  const TemporaryFolder folder;
+  const std::string path = folder.with("taken", "a file where the folder is to be");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  add(writer, 0);
+  writer.drain();
+  EXPECT_TRUE(contains(writer.problem(), path));
+  EXPECT_EQ(writer.unwritten().size(), 1u);
+  std::filesystem::remove(path);
+  add(writer, 1);
+  writer.drain();
+  EXPECT_EQ(writer.problem(), "");
+  EXPECT_TRUE(writer.unwritten().empty());
+  EXPECT_EQ(readQuietly(path).submaps.size(), 2u);
+}
+
+TEST(SessionWriter, ASubmapIsInTheLogWhenItsFileIsWhole) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  writer.drain();
+  std::filesystem::create_directories(submapFile(path, SubmapId{0}) + ".part/in the way");
+  add(writer, 0);
+  writer.drain();
+  EXPECT_NE(writer.problem(), "");
+  EXPECT_TRUE(readQuietly(path).submaps.empty());
+  std::filesystem::remove_all(submapFile(path, SubmapId{0}) + ".part");
+  writer.drain();
+  EXPECT_EQ(readQuietly(path).submaps.size(), 1u);
+}
+
+TEST(SessionWriter, AFolderWithResultsOrInUseIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  writeStreetSession(path);
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  add(writer, 0);
+  writer.drain();
+  EXPECT_TRUE(contains(writer.problem(), "not overwritten"));
+  EXPECT_EQ(readQuietly(path).submaps.size(), StreetDrive::get().updates.size());
+}
+
+TEST(SessionWriter, NoticesThatItsFolderWasRemoved) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  add(writer, 0);
+  writer.drain();
+  EXPECT_FALSE(writer.lost());
+  std::filesystem::remove_all(path);
+  add(writer, 1);
+  writer.drain();
+  EXPECT_TRUE(writer.lost());
+  EXPECT_NE(writer.problem(), "");
+}
+
+TEST(SessionWriter, ASessionThatGoesOnIsOpenAgain) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  add(writer, 0);
+  writer.close();
+  writer.drain();
+  EXPECT_TRUE(readQuietly(path).info.closed);
+  add(writer, 1);
+  writer.drain();
+  EXPECT_FALSE(readQuietly(path).info.closed);
+}
+
+}  // namespace
+}  // namespace revisit_slam

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/stored_submap.h"
+
+#include <gtest/gtest.h>
+
+#include "session/session_fixtures.h"
+#include "support/contains.h"
+#include "support/temporary_folder.h"
+
+namespace revisit_slam {
+namespace {
+
+const std::set<SubmapRecord> kAll{SubmapRecord::trajectory, SubmapRecord::points,
+                                  SubmapRecord::normals, SubmapRecord::detail,
+                                  SubmapRecord::occupancy};
+
+TEST(StoredSubmap, IsReadAsItWas) {
+  const TemporaryFolder folder;
+  const MapUpdatePtr update = StreetDrive::get().updates.at(1);
+  const MapUpdate read = readSubmap(folder.with("a.rsm", encodeSubmap(*update)), kAll);
+  EXPECT_EQ(read.submap->id, update->submap->id);
+  EXPECT_EQ(read.submap->first_scan, update->submap->first_scan);
+  EXPECT_EQ(read.submap->travelled_end, update->submap->travelled_end);
+  EXPECT_EQ(read.submap->stamps, update->submap->stamps);
+  EXPECT_EQ(read.submap->points, update->submap->points);
+  EXPECT_EQ(read.submap->normals, update->submap->normals);
+  EXPECT_EQ(read.detail_submap, update->detail_submap);
+  EXPECT_EQ(encodeSubmap(read), encodeSubmap(*update));  // poses and occupancy too
+}
+
+TEST(StoredSubmap, OnlyWhatIsWantedIsRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder.with("a.rsm", encodeSubmap(*StreetDrive::get().updates.at(1)));
+  const MapUpdate read = readSubmap(path, {SubmapRecord::normals});
+  EXPECT_TRUE(read.detail_submap.empty() && read.submap->points.empty() && !read.occupancy);
+  EXPECT_FALSE(read.submap->normals.empty());
+}
+
+TEST(StoredSubmap, CutOrFlippedItIsRefusedWithTheReason) {
+  const TemporaryFolder folder;
+  const std::string whole = encodeSubmap(*StreetDrive::get().updates.at(1));
+  for (std::size_t i = 20; i < whole.size(); i += whole.size() / 10) {
+    EXPECT_THROW(readSubmap(folder.with("cut.rsm", whole.substr(0, i)), kAll), std::runtime_error);
+    std::string flipped = whole;
+    flipped[i] = static_cast<char>(flipped[i] ^ 1);
+    try {
+      readSubmap(folder.with("flipped.rsm", flipped), kAll);
+      FAIL() << "byte " << i;
+    } catch (const std::runtime_error& error) {
+      EXPECT_TRUE(contains(error.what(), "flipped.rsm")) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace revisit_slam
