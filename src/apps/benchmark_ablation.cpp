@@ -16,7 +16,7 @@
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/ros/input/scan_reader.h"
-#include "revisit_slam/session/graph_files.h"
+#include "revisit_slam/session/session_graph.h"
 #include "revisit_slam/slam/loop_replay.h"
 #include "revisit_slam/slam/slam.h"
 #include "revisit_slam/util/progress.h"
@@ -123,7 +123,7 @@ json loopsOf(const SlamGraph& graph) {
 json judge(const AblationCell& cell, const SlamGraph& graph, const MappingRecorder& mapped,
            const PoseInterpolator& truth) {
   const TrajectoryEvaluation errors =
-      evaluateTrajectory(PoseInterpolator(trajectoryOf(graph)), truth);
+      evaluateTrajectory(PoseInterpolator(trajectoryOf(graphOf(graph))), truth);
   const MapConsistency maps = consistencyOf(graph, mapped, truth.poses());
   return {{"odometry", cell.odometry},
           {"information", cell.information},

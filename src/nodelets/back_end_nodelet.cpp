@@ -4,7 +4,6 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <future>
-#include <iostream>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "revisit_slam/ros/node/graph_display.h"
@@ -13,6 +12,7 @@
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/map_broadcaster.h"
 #include "revisit_slam/ros/node/occupancy_display.h"
+#include "revisit_slam/ros/node/session_end.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/back_end.h"
@@ -134,32 +134,11 @@ class BackEndNodelet : public SlamNodelet {
   void finish(const MapsClosed& closed) {
     stage_->add(closed, [this, request = closed.request](GraphSession* session,
                                                          const std::string& problem) {
-      const std::string all = session == nullptr ? problem : saved(*session);
+      const std::string all = session == nullptr ? problem : saveAll(*session);
       services_->answer(request, all);
       if (session != nullptr && !all.empty()) noteError(all);
     });
     draw();
-  }
-
-  /// Returns what is wrong.
-  std::string saved(GraphSession& session) {
-    try {
-      for (const std::string& notice : session.saveOwn()) NODELET_WARN("%s", notice.c_str());
-      session.writeSummary();
-      return "";
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-  }
-
-  /// The time until the process is killed may be short: the map is made later.
-  void endUnasked(GraphSession& session) {
-    if (session.folder().empty()) return;
-    session.writeRest();
-    if (session.isWhole()) return;
-    // ROS no longer logs when a process is about to end.
-    std::cerr << "the map was not made; this makes it: rosrun revisit_slam export "
-              << session.folder() << std::endl;
   }
 
   void publish(const MapCorrectionPtr& correction) {

@@ -8,7 +8,7 @@
 namespace revisit_slam {
 
 LoopReplay::LoopReplay(const MappedDrive& drive, const SlamConfig& config)
-    : session_(drive.nodes.at(0).id.session, config, drive.nodes[0].stamp,
+    : session_(drive.nodes.at(0).id.session, config, drive.nodes[0].stamp, {},
                [this](const MapCorrectionPtr& correction) {
                  lane_.post([this, correction] { closing_.correct(correction); });
                }),

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "revisit_slam/session/graph_files.h"
+#include "revisit_slam/session/session_graph.h"
 #include "support/simulated_slam.h"
 
 namespace revisit_slam {
@@ -46,8 +46,8 @@ TEST(LoopReplay, GivesTheBitsOfTheWholeRun) {
     config.retroactive.enabled = with_feedback;
     const WholeRun whole(config);
     const LoopReplay replay(mapped(), config);
-    const Trajectory expected = trajectoryOf(whole.slam.session()->graph()),
-                     replayed = trajectoryOf(replay.graph());
+    const Trajectory expected = trajectoryOf(graphOf(whole.slam.session()->graph())),
+                     replayed = trajectoryOf(graphOf(replay.graph()));
     EXPECT_FALSE(replay.graph().loops().empty());
     ASSERT_EQ(replayed.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)

@@ -9,7 +9,7 @@
 
 #include "revisit_slam/evaluation/evaluation.h"
 #include "revisit_slam/io/presets.h"
-#include "revisit_slam/session/graph_files.h"
+#include "revisit_slam/session/session_graph.h"
 #include "revisit_slam/simulation/drive.h"
 #include "revisit_slam/slam/slam.h"
 
@@ -79,7 +79,7 @@ DriveResult driveThrough(const json& drive) {
                               reference);
   };
   return {recorder.odometry, judged(recorder.odometry),
-          judged(trajectoryOf(slam.session()->graph()))};
+          judged(trajectoryOf(graphOf(slam.session()->graph())))};
 }
 
 void expectBetween(double lowest, double highest, double ours, const json& theirs,

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/session_end.h"
+
+#include <ros/console.h>
+
+#include <exception>
+#include <iostream>
+
+namespace revisit_slam {
+
+std::string saveAll(GraphSession& session) {
+  try {
+    for (const std::string& notice : session.saveOwn()) ROS_WARN("%s", notice.c_str());
+    session.writeSummary();
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+void endUnasked(GraphSession& session) {
+  if (session.folder().empty()) return;
+  session.writeRest();
+  if (session.isWhole()) return;
+  // ROS no longer logs when a process is about to end.
+  std::cerr << "the map was not made; this makes it: rosrun revisit_slam export "
+            << session.folder() << std::endl;
+}
+
+}  // namespace revisit_slam
