@@ -14,6 +14,7 @@ NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
   plane_H_ += other.plane_H_;
   plane_g_ += other.plane_g_;
   matches_ += other.matches_;
+  explained_ += other.explained_;
   return *this;
 }
 

@@ -25,6 +25,11 @@ Matrix6 MotionCovariance::of(const InformationEstimate& estimate) const {
   return covariance;
 }
 
+Matrix6 MotionCovariance::informationOf(const Matrix6& covariance,
+                                        double mean_squared_residual) const {
+  return 2.0 * mean_squared_residual * calibration_ * covariance.inverse();
+}
+
 void MotionCovariance::reconfigure(const InformationConfig& config) {
   calibration_ = config.calibration;
   deskew_share_ = config.deskew_share;

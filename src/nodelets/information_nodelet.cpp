@@ -2,7 +2,6 @@
 #include <revisit_slam/LiveInformationConfig.h>
 
 #include <boost/make_shared.hpp>
-#include <map>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "revisit_slam/ros/messages/scan_messages.h"
@@ -10,6 +9,7 @@
 #include "revisit_slam/ros/node/patient_publisher.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/ros/node/verdict_report.h"
 #include "revisit_slam/slam/information_stage.h"
 
 namespace revisit_slam {
@@ -34,6 +34,7 @@ class InformationNodelet : public SlamNodelet {
                              return !with_maps || areAdvertised(node, {"submap", "map_correction"});
                            }};
     odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry", 100);
+    verdicts_ = std::make_unique<VerdictReport>(node);
     markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>("weak_directions", 2);
     lane_ = makeLane(0);
     live_parameters_ = std::make_unique<LiveParameters<LiveInformationConfig, InformationConfig>>(
@@ -53,11 +54,9 @@ class InformationNodelet : public SlamNodelet {
         boost::make_shared<const InformedScan>(stage_->inform(odometry, lane_->waiting()));
     if (informed->source == InformationSource::repeated)
       NODELET_WARN_THROTTLE(5.0, "information falls behind: that of an earlier scan is repeated");
+    verdicts_->take(*informed);
     publish(*informed);
     informed_publisher_.publish(informed);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ++scans_by_source_[informed->source];
-    weak_directions_ = informed->estimate.weak_directions;
   }
 
   void publish(const InformedScan& informed) {
@@ -72,26 +71,13 @@ class InformationNodelet : public SlamNodelet {
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     addValue("scans waiting", std::to_string(lane_->waiting()), status);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const std::size_t repeated = scans_by_source_[InformationSource::repeated];
-    const bool newly_repeated = repeated > reported_repeats_;
-    reported_repeats_ = repeated;
-    const bool weak = !weak_directions_.empty();
-    status.level = weak || newly_repeated ? status.WARN : status.OK;
-    status.message = newly_repeated ? "falling behind" : weak ? "weak directions" : "running";
-    for (const auto& [source, count] : scans_by_source_)
-      addValue(std::string("scans ") + toString(source), std::to_string(count), status);
-    addWeakDirections(weak_directions_, status);
+    verdicts_->diagnose(status);
   }
 
   std::unique_ptr<InformationStage> stage_;  // of the lane
+  std::unique_ptr<VerdictReport> verdicts_;
   PatientPublisher<InformedScan> informed_publisher_;
   ros::Publisher odometry_publisher_, markers_publisher_;
-
-  std::mutex mutex_;  // guards the next three
-  std::map<InformationSource, std::size_t> scans_by_source_;
-  std::vector<WeakDirection> weak_directions_;
-  std::size_t reported_repeats_ = 0;
 
   std::unique_ptr<ThreadLane> lane_;
   ros::Subscriber subscriber_;

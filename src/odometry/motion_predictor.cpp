@@ -39,4 +39,10 @@ void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
   observed_ = std::min(observed_ + 1, 2);
 }
 
+void ConstantVelocityPredictor::forget() {
+  observed_ = 0;
+  motion_ = ConstantMotion();
+  filter_ = VelocityFilter();
+}
+
 }  // namespace revisit_slam

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/odometry/odometry.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "revisit_slam/odometry/deskew_correction.h"
+#include "revisit_slam/odometry/recovery_guesses.h"
 
 namespace revisit_slam {
 namespace {
@@ -13,6 +15,9 @@ namespace {
 /// Down-sampling of the published system, in voxels of the map: fine for the map, coarse for ICP.
 constexpr double kMapPointSpacing = 0.5;
 constexpr double kSourcePointSpacing = 1.5;
+
+/// A drive that fits nowhere for longer is not worth the time of further guesses.
+constexpr int kMostVainRecoveries = 3;
 
 /// How the points for the map are taken from a scan, and from these those for ICP.
 struct Sampling {
@@ -56,7 +61,8 @@ Odometry::Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor
       predictor_(std::move(predictor)),
       map_(config.map, config.registration.planes),
       registration_(config.registration),
-      threshold_(config.threshold, config.max_range) {}
+      threshold_(config.threshold, config.max_range),
+      fit_(config.fit) {}
 
 OdometryResult Odometry::align(const Scan& scan) {
   OdometryResult result;
@@ -89,11 +95,15 @@ OdometryResult Odometry::align(const Scan& scan) {
   clock.stage("downsample");
 
   const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
+  if (predicted.covariance) registered.prior_information = predicted.covariance->inverse();
   registered.sigma = predicted.is_after_gap
                          ? std::max(config_.threshold.initial, threshold_.sigma())
                          : threshold_.sigma();
   registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
                                                 map_, T_odom_predicted, registered.sigma);
+  recover(predicted, registered);
+  registered.verdict = verdictOn(registered);
+  if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
   registered.T_odom_base = registered.registration.T_odom_base;
   if (scans_ == 0 && registered.deskewed && config_.redo_first_scans) first_scan_ = scan;
   if (scans_ == 1 && !predicted.is_after_gap) startAgain(scan, predicted.seconds, registered);
@@ -104,8 +114,13 @@ OdometryResult Odometry::align(const Scan& scan) {
   if (predicted.seconds > 0.0)
     registered.velocity_base =
         log(T_odom_previous_.inverse() * registered.T_odom_base) / predicted.seconds;
-  aligned_ = {scan.stamp, registered.T_odom_base, deviation, registered.registration.information,
-              predicted.is_after_gap};
+  aligned_ = {scan.stamp,
+              registered.T_odom_base,
+              deviation,
+              registered.registration.information,
+              predicted.is_after_gap,
+              registered.registration.explained,
+              registered.verdict};
   clock.stage("register");
   result.times = clock.times();
   return result;
@@ -114,12 +129,20 @@ OdometryResult Odometry::align(const Scan& scan) {
 void Odometry::commit() {
   const Aligned aligned = aligned_.value();
   aligned_.reset();
-  if (!aligned.is_after_gap) threshold_.update(aligned.deviation);
+  if (aligned.verdict == PoseVerdict::lost) {
+    map_ = LocalVoxelMap(config_.map, config_.registration.planes);
+    threshold_ = AdaptiveThreshold(config_.threshold, config_.max_range);
+    fit_ = FitJudge(config_.fit);
+    predictor_->forget();
+  } else if (!aligned.is_after_gap) {
+    threshold_.update(aligned.deviation);
+  }
   map_.insert(map_points_base_, aligned.T_odom_base);
   map_.dropBeyond(aligned.T_odom_base.translation, config_.max_range);
   predictor_->observe(aligned.stamp, aligned.T_odom_base, aligned.information);
   T_odom_previous_ = aligned.T_odom_base;
   previous_stamp_ = aligned.stamp;
+  fit_.observe(aligned.explained, aligned.verdict);
   ++scans_;
 }
 
@@ -140,6 +163,34 @@ void Odometry::downsample(RegisteredScan& registered) {
          (voxel_filter_.*sampling.of_source)(map_points_base_, kSourcePointSpacing * voxel_size,
                                              registered.source_base),
          source_sweep_fractions_);
+}
+
+/// Keeps the guess from which the map explains most. After a gap a good fit may be that of the
+/// ground alone.
+void Odometry::recover(const PredictedMotion& predicted, RegisteredScan& registered) {
+  if (config_.fit.good == 0.0) return;
+  const auto fits = [&] { return verdictOn(registered) == PoseVerdict::good; };
+  if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
+  if ((fits() && !predicted.is_after_gap) || vain_recoveries_ >= kMostVainRecoveries) return;
+  for (const Pose& T_previous_base : recoveryGuesses(predicted)) {
+    const RegistrationResult other =
+        registration_.align(registered.source_base, {}, map_, T_odom_previous_ * T_previous_base,
+                            config_.threshold.initial);
+    if (other.explained > registered.registration.explained) registered.registration = other;
+  }
+  vain_recoveries_ = fits() ? 0 : vain_recoveries_ + 1;
+}
+
+/// The pose is the prediction. Within the reach of the sensor it would have been found.
+void Odometry::loseTrack(const PredictedMotion& predicted, RegisteredScan& registered) const {
+  Matrix6 covariance = predicted.covariance.value_or(Matrix6::Zero());
+  covariance.diagonal().head<3>().array() += config_.max_range * config_.max_range;
+  covariance.diagonal().tail<3>().array() += M_PI * M_PI;
+  registered.prior_information = covariance.inverse();
+  registered.registration.T_odom_base = T_odom_previous_ * predicted.T_previous_base;
+  registered.registration.deskew_correction = Tangent::Zero();
+  registered.registration.information = Matrix6::Zero();
+  registered.registration.outcome = RegistrationOutcome::no_fit;
 }
 
 /// Nothing was known of the motion when the first two scans were deskewed. From both as they are it

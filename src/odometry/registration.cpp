@@ -109,6 +109,8 @@ RegistrationResult Registration::align(const Points& points_base,
       break;
     }
     result.rms_residual = equations.rms();
+    result.explained =
+        static_cast<double>(equations.explained()) / static_cast<double>(points_base.size());
     result.information = equations.H() / kMatchVariance;
     const Tangent step = takeStep(equations, source, T_odom_predicted, config_, result);
     ++result.iterations;

@@ -48,7 +48,7 @@ RunFolder::RunFolder(const std::string& path)
     for (int row = 1; row <= 6; ++row)
       for (int column = row; column <= 6; ++column)
         header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
-  information_.add(header + "\n");
+  information_.add(header + ",verdict,explained\n");
 }
 
 void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
@@ -58,6 +58,7 @@ void RunFolder::add(const InformedScan& informed, const StageTimes& times) {
   odometry_.add(pose.str());
   if (scan.id.value == 0) distance_.goOnFrom(scan.T_odom_base.translation);
   distance_.go(scan.T_odom_base.translation);
+  ++verdicts_[informed.verdict];
   writeInformation(informed);
   writeTimes(scan, times);
 }
@@ -70,7 +71,8 @@ void RunFolder::writeInformation(const InformedScan& informed) {
   for (const Matrix6* matrix : {&informed.estimate.information, &informed.covariance_motion})
     for (int row = 0; row < 6; ++row)
       for (int column = row; column < 6; ++column) line << "," << (*matrix)(row, column);
-  information_.add(line.str() + "\n");
+  line << "," << toString(informed.verdict) << "," << informed.scan->registration.explained << "\n";
+  information_.add(line.str());
 }
 
 void RunFolder::writeTimes(const RegisteredScan& scan, const StageTimes& times) {
@@ -124,6 +126,8 @@ void writeRunSummary(const std::string& path, const RunSummary& summary,
                      const std::map<std::string, std::vector<float>>& stage_ms) {
   const ScanAccount& account = summary.account;
   const double scans = std::max<double>(1.0, static_cast<double>(account.processed));
+  json verdicts = json::object();
+  for (const auto& [verdict, count] : summary.verdicts) verdicts[toString(verdict)] = count;
   const json run = {
       {"version", softwareVersion()},
       {"interrupted", summary.interrupted},
@@ -136,6 +140,7 @@ void writeRunSummary(const std::string& path, const RunSummary& summary,
         {"at_rest", account.at_rest},
         {"joined", account.joined},
         {"dropped", account.dropped}}},
+      {"poses", verdicts},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},
       {"path_length_m", summary.path_length},
@@ -161,6 +166,7 @@ void writeRunSummary(const std::string& path, const RunSummary& summary,
 
 void RunFolder::finish(RunSummary summary) {
   summary.path_length = pathLength();
+  summary.verdicts = verdicts_;
   writeRunSummary(file("run.json"), summary, stage_ms_);
   for (LineFile* lines : {&odometry_, &information_, &scan_times_}) lines->flush();
 }

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/information_stage.h"
 
+#include <Eigen/LU>
+
 namespace revisit_slam {
+namespace {
+
+PoseVerdict verdictOn(const InformedScan& informed) {
+  const PoseVerdict verdict = informed.scan->verdict;
+  const bool is_weak = !informed.estimate.weak_directions.empty();
+  return verdict == PoseVerdict::good && is_weak ? PoseVerdict::weak : verdict;
+}
+
+}  // namespace
 
 InformationStage::InformationStage(const InformationConfig& config)
     : config_(config), estimator_(config), motion_covariance_(config) {}
@@ -19,8 +30,24 @@ InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_
   } else if (odometry.problem) {
     estimate(*odometry.problem, informed);
   }
+  informed.verdict = verdictOn(informed);
+  if (informed.verdict >= PoseVerdict::poor) doubt(informed);
   growCovariance(informed, begins);
   return informed;
+}
+
+/// What the registration says of a scan that fits badly may be wrong by as much as the prediction;
+/// of one that does not fit it says nothing.
+void InformationStage::doubt(InformedScan& informed) const {
+  const Matrix6& prior = informed.scan->prior_information;
+  if (prior.isZero()) return;
+  if (informed.verdict == PoseVerdict::lost) {
+    informed.source = InformationSource::predicted;
+    informed.covariance_motion.setZero();
+  }
+  informed.covariance_motion += prior.inverse();
+  informed.estimate.information = motion_covariance_.informationOf(
+      informed.covariance_motion, last_estimate_.mean_squared_residual);
 }
 
 void InformationStage::startSession(SessionId session) {

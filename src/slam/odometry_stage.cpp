@@ -104,7 +104,8 @@ ScanId OdometryStage::idOf(const RegisteredScan& scan) {
 }
 
 std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const RegisteredScan& scan) const {
-  if (!with_information_ || odometry_.map().empty()) return nullptr;
+  if (!with_information_ || odometry_.map().empty() || scan.verdict == PoseVerdict::lost)
+    return nullptr;
   return std::make_shared<const RegistrationProblem>(
       information_.gather(scan.source_base, odometry_.map(), scan.T_odom_base,
                           Registration::maxCorrespondenceDistance(scan.sigma)));

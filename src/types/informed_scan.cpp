@@ -9,6 +9,8 @@ const char* toString(InformationSource source) {
       return "estimated";
     case InformationSource::repeated:
       return "repeated";
+    case InformationSource::predicted:
+      return "predicted";
     case InformationSource::identity:
       return "identity";
   }

@@ -11,6 +11,8 @@ const char* toString(RegistrationOutcome outcome) {
       return "stopped at the largest number of iterations";
     case RegistrationOutcome::too_few_correspondences:
       return "too few correspondences";
+    case RegistrationOutcome::no_fit:
+      return "the scan does not fit the map";
     case RegistrationOutcome::map_empty:
       return "first scan";
   }

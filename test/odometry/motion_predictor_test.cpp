@@ -45,5 +45,16 @@ TEST(ConstantVelocityPredictor, AGapLeavesOutAsMuchAsTheCovarianceSays) {
   EXPECT_GT((*predicted.covariance)(0, 0), missing * missing);
 }
 
+TEST(ConstantVelocityPredictor, ForgetsTheMotionWhenTheTrackIsLost) {
+  ConstantVelocityPredictor predictor = drivenFor(20, kPrecise);
+  predictor.forget();
+  predictor.observe(stampAt(2.0), poseAt(5.0), Matrix6::Zero());
+  const PredictedMotion predicted = predictor.predict(stampAt(2.1));
+  EXPECT_FALSE(predicted.is_known);
+  EXPECT_FALSE(predicted.covariance);
+  EXPECT_EQ(predicted.T_previous_base.translation.norm(), 0.0);
+  EXPECT_NEAR(predicted.seconds, 0.1, 1e-9);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "support/synthetic_drive.h"
 #include "support/threads.h"
 
@@ -117,6 +119,44 @@ TEST(Odometry, StartsWhereItIs) {
   EXPECT_EQ(result.scan->T_odom_base.matrix(), Eigen::Matrix4d::Identity());
   EXPECT_EQ(result.scan->velocity_base, Tangent::Zero());
   EXPECT_LT(result.scan->source_base.size(), result.scan->points_base.size());
+}
+
+TEST(Odometry, FindsItsPlaceAgainAfterAGap) {
+  const Drive drive = driveInRoom(60);
+  Odometry odometry(roomConfig());
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    if (i > 25 && i < 50) continue;  // 2.5 s, 10 m and 57 degrees
+    const auto result = odometry.registerScan(drive.scans[i]);
+    ASSERT_EQ(result.outcome, OdometryOutcome::registered);
+    EXPECT_EQ(result.scan->verdict, PoseVerdict::good) << i;
+    EXPECT_LT(distanceBetween(result.scan->T_odom_base, drive.T_first_base[i]), 0.12) << i;
+  }
+}
+
+TEST(Odometry, ACarriedSensorIsLostAndGoesOnInANewPieceOfMap) {
+  const Drive drive = driveInRoom(50);
+  Odometry odometry(roomConfig());
+  Pose T_odom_before;
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    Scan scan = drive.scans[i];
+    const bool is_elsewhere = i >= 25;  // in a high and narrow hall
+    for (Eigen::Vector3f& point : scan.points)
+      if (is_elsewhere) point = {0.4f * point.x(), 0.4f * point.y(), 3.0f * point.z()};
+    const auto result = odometry.registerScan(scan);
+    ASSERT_EQ(result.outcome, OdometryOutcome::registered);
+    const RegisteredScan& registered = *result.scan;
+    EXPECT_EQ(registered.verdict, i == 25 ? PoseVerdict::lost : PoseVerdict::good) << i;
+    if (i == 25) {
+      EXPECT_EQ(registered.registration.outcome, RegistrationOutcome::no_fit);
+      const Matrix6 covariance = registered.prior_information.inverse();
+      EXPECT_GT(std::sqrt(covariance(0, 0)), roomConfig().max_range);
+    }
+    if (i > 30) {
+      const Pose step = T_odom_before.inverse() * registered.T_odom_base;
+      EXPECT_NEAR(step.translation.norm(), 0.16, 0.05) << i;  // 0.4 of 4 m/s
+    }
+    T_odom_before = registered.T_odom_base;
+  }
 }
 
 TEST(Odometry, RejectedScansChangeNothing) {

@@ -31,7 +31,7 @@ StageTimes timesOf(std::uint32_t i) {
 RunSummary someSummary(OdometryConfig& config) {
   RunSummary summary;
   summary.parameters = parametersOf(config);
-  summary.account = {204, 201, 20, {{"empty", 1}, {"late", 2}}, 9000, {{"too_far", 70}}};
+  summary.account = {204, 201, 20, 0, {{"empty", 1}, {"late", 2}}, 9000, {{"too_far", 70}}};
   summary.topic = "/points";
   summary.tracked_frame = "base_link";
   summary.time_source = "field 'time'";
@@ -77,6 +77,7 @@ TEST(RunFolder, InformationHasTheUpperTrianglesOfBothMatrices) {
   for (const int first : {0, 100})
     for (int i = 0; i < 36; ++i)
       if (i % 6 >= i / 6) expected += "," + std::to_string(first + i);
+  expected += ",good,0";
   RunFolder(parent.file("run")).add(informed, timesOf(0));
   std::istringstream lines(textOf(parent.file("run/odometry_information.csv")));
   std::string header, line;
@@ -85,7 +86,7 @@ TEST(RunFolder, InformationHasTheUpperTrianglesOfBothMatrices) {
                         "information12"),
             0u);
   EXPECT_NE(header.find(",information66,covariance11,"), std::string::npos);
-  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 4 + 2 * 21);
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 4 + 2 * 21 + 2);
   EXPECT_EQ(line, expected);
 }
 
@@ -100,6 +101,7 @@ TEST(RunFolder, SummaryAccountsForTheRun) {
   EXPECT_EQ(run["scans"],
             nlohmann::json::parse(R"({"received": 204, "processed": 201, "at_rest": 20, "joined": 0,
                                                     "dropped": {"empty": 1, "late": 2}})"));
+  EXPECT_EQ(run["poses"], nlohmann::json::parse(R"({"good": 201})"));
   EXPECT_EQ(run["points"],
             nlohmann::json::parse(R"({"received": 9000, "dropped": {"too_far": 70}})"));
   EXPECT_EQ(run["stages_ms"]["register"],

@@ -33,9 +33,11 @@ class NormalEquations {
   }
 
   /// Once for every match, however many residuals it adds. `squared`: its unweighted residual, m^2.
-  void countMatch(double squared) {
+  /// `explained`: the residual is one of noise and sampling, not of another surface.
+  void countMatch(double squared, bool explained = false) {
     ++matches_;
     squares_ += squared;
+    if (explained) ++explained_;
   }
 
   NormalEquations& operator+=(const NormalEquations& other);
@@ -45,6 +47,7 @@ class NormalEquations {
 
   double weight() const { return point_weight_ + plane_weight_; }
   std::size_t matches() const { return matches_; }
+  std::size_t explained() const { return explained_; }
   /// m, of the unweighted residuals of the matches.
   double rms() const { return std::sqrt(squares_ / static_cast<double>(matches_)); }
 
@@ -55,7 +58,7 @@ class NormalEquations {
   Eigen::Matrix3d wpp_ = Eigen::Matrix3d::Zero();
   Matrix6 plane_H_ = Matrix6::Zero();
   Tangent plane_g_ = Tangent::Zero();
-  std::size_t matches_ = 0;
+  std::size_t matches_ = 0, explained_ = 0;
 };
 
 }  // namespace revisit_slam

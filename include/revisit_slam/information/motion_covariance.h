@@ -29,6 +29,10 @@ class MotionCovariance {
 
   Matrix6 of(const InformationEstimate& estimate) const;
 
+  /// The information of a motion with this covariance, in the unit of the objective where its mean
+  /// squared residual is `mean_squared_residual`, m^2.
+  Matrix6 informationOf(const Matrix6& covariance, double mean_squared_residual) const;
+
   void reconfigure(const InformationConfig& config);
 
  private:

@@ -43,6 +43,9 @@ class MotionPredictor {
   /// prediction. Directions without information are no observation. Stamps ascend.
   virtual void observe(Stamp stamp, const Pose& T_odom_base, const Matrix6& information) = 0;
 
+  /// The track is lost: the motion so far says nothing of what follows.
+  virtual void forget() = 0;
+
   /// Takes over what may change between two scans.
   virtual void reconfigure(const OdometryConfig&) {}
 };
@@ -56,6 +59,7 @@ class ConstantVelocityPredictor final : public MotionPredictor {
 
   PredictedMotion predict(Stamp stamp) const override;
   void observe(Stamp stamp, const Pose& T_odom_base, const Matrix6& information) override;
+  void forget() override;
   void reconfigure(const OdometryConfig& config) override {
     max_prediction_time_ = config.max_prediction_time;
   }

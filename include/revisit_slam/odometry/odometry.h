@@ -8,6 +8,7 @@
 #include "revisit_slam/geometry/voxel_filter.h"
 #include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/odometry/adaptive_threshold.h"
+#include "revisit_slam/odometry/fit_judge.h"
 #include "revisit_slam/odometry/motion_predictor.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/preprocessing.h"
@@ -36,7 +37,9 @@ struct OdometryResult {
 
 /// LiDAR odometry (paper Sec. III-A; Vizzo et al., KISS-ICP, RA-L 2023): predict -> align ->
 /// commit. Scans are registered to the map point to plane where it is planar (the paper's ICP is
-/// point to point everywhere). The odom frame is the base frame of the first scan. Not thread-safe.
+/// point to point everywhere). The odom frame is the base frame of the first scan. A scan that does
+/// not fit the map is registered from other guesses too, and where none fits it begins a new piece
+/// of map at the predicted pose. Not thread-safe.
 /// Runs in the current TBB arena, with the same bits for any number of threads.
 class Odometry {
  public:
@@ -68,9 +71,16 @@ class Odometry {
     Pose deviation;       ///< T_predicted_base
     Matrix6 information;  ///< of the registration alone
     bool is_after_gap;
+    double explained;
+    PoseVerdict verdict;
   };
 
   void downsample(RegisteredScan& registered);
+  void recover(const PredictedMotion& predicted, RegisteredScan& registered);
+  PoseVerdict verdictOn(const RegisteredScan& registered) const {
+    return fit_.judge(registered.registration.explained, registered.source_base.size());
+  }
+  void loseTrack(const PredictedMotion& predicted, RegisteredScan& registered) const;
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
   void deskewAgain(RegisteredScan& registered);
 
@@ -86,6 +96,8 @@ class Odometry {
   std::vector<float> source_sweep_fractions_;
 
   std::uint32_t scans_ = 0;
+  FitJudge fit_;
+  int vain_recoveries_ = 0;         // in a row
   std::optional<Scan> first_scan_;  // until the second is registered
   Stamp previous_stamp_;
   Pose T_odom_previous_;

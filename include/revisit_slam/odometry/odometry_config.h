@@ -86,6 +86,25 @@ struct AdaptiveThresholdConfig {
   }
 };
 
+/// How well a scan has to fit the map (FitJudge), in shares of what the map explains of scans of
+/// late.
+struct FitConfig {
+  double good = 0.6;
+  double lost = 0.3;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("good", good, Range{0.0, 1.0}, "",
+      "below this share of the usual fit of a scan its pose is poor, and other first guesses are "
+      "tried. Raise it if wrong poses are called good; lower it if right ones are called poor "
+      "(scans far apart, dense traffic)");
+    v("lost", lost, Range{0.0, 1.0}, "",
+      "below this share of the usual fit the scan does not fit at all: the pose is lost, and a new "
+      "piece of map begins. Raise it if maps are torn where the sensor was carried; lower it if "
+      "new pieces begin without need; 0: never");
+  }
+};
+
 /// Defaults: Vizzo et al., KISS-ICP, RA-L 2023, as its release 1.3.0 has them.
 struct OdometryConfig {
   double max_range = 100.0;
@@ -99,6 +118,7 @@ struct OdometryConfig {
   LocalVoxelMapConfig map;
   RegistrationConfig registration;
   AdaptiveThresholdConfig threshold;
+  FitConfig fit;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -129,6 +149,7 @@ struct OdometryConfig {
     v.group("map", map);
     v.group("registration", registration);
     v.group("threshold", threshold);
+    v.group("fit", fit);
   }
 };
 

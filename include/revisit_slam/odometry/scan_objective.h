@@ -45,16 +45,20 @@ class ScanObjective {
       const Eigen::Vector3d n = R.transpose() * shape.normal.cast<double>();
       const PointToPlane plane{match.p, n, n.dot(match.r)};
       const double weight = kernel_.weight(plane.squared());
-      equations.countMatch(plane.squared());
+      countMatch(plane.squared(), equations);
       equations.add(plane, weight);
       equations.add(match, config_.within_plane_weight * weight);
     } else {
-      equations.countMatch(match.squared());
+      countMatch(match.squared(), equations);
       equations.add(match, shapeWeight(shape) * kernel_.weight(match.squared()));
     }
   }
 
  private:
+  void countMatch(double squared, NormalEquations& equations) const {
+    equations.countMatch(squared, squared <= config_.final_sigma * config_.final_sigma);
+  }
+
   /// a_i. The denser the map, the less the nearest point depends on where rays fell.
   double shapeWeight(const LocalShape& shape) const {
     if (!config_.planes) return 1.0;

@@ -22,6 +22,7 @@ namespace revisit_slam {
 struct RunSummary {
   std::vector<Parameter> parameters;
   ScanAccount account;
+  std::map<PoseVerdict, std::size_t> verdicts;
   std::string topic;
   std::string tracked_frame;
   std::string time_source;
@@ -92,6 +93,7 @@ class RunFolder {
   LineFile odometry_, information_, scan_times_;
   std::vector<std::string> stages_;                     // in the order of the first scan
   std::map<std::string, std::vector<float>> stage_ms_;  // floats: one for each scan
+  std::map<PoseVerdict, std::size_t> verdicts_;
   TravelledDistance distance_;
 };
 

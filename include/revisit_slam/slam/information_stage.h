@@ -14,8 +14,8 @@
 namespace revisit_slam {
 
 /// Gives each registered scan the information of its edge, and the covariances of its motion and
-/// pose. No scan is left out: with too many waiting the information of the scan before is repeated.
-/// The first scan of a session begins anew.
+/// pose, and a verdict on it. No scan is left out: with too many waiting the information of the
+/// scan before is repeated. The first scan of a session begins anew.
 class InformationStage {
  public:
   explicit InformationStage(const InformationConfig& config);
@@ -28,6 +28,7 @@ class InformationStage {
  private:
   void startSession(SessionId session);
   void estimate(const RegistrationProblem& problem, InformedScan& informed);
+  void doubt(InformedScan& informed) const;
   void growCovariance(InformedScan& informed, bool begins);
 
   InformationConfig config_;

@@ -22,7 +22,7 @@ namespace revisit_slam {
 struct OdometryOutput {
   RegisteredScanPtr scan;
   /// The registration, taken out of the map: what the information is estimated from. Null where the
-  /// information is switched off, and at the first scan.
+  /// information is switched off, at the first scan, and where the scan does not fit the map.
   std::shared_ptr<const RegistrationProblem> problem;
 };
 

@@ -6,6 +6,7 @@
 
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/pose_verdict.h"
 #include "revisit_slam/types/registration_result.h"
 #include "revisit_slam/types/scan.h"
 #include "revisit_slam/types/stamp.h"
@@ -27,6 +28,10 @@ struct RegisteredScan {
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
   Points source_base;  ///< the down-sampled points that were registered
   RegistrationResult registration;
+  PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
+  /// Of the predicted motion, for right perturbations [m; rad] in the base frame; zero: nothing is
+  /// known.
+  Matrix6 prior_information = Matrix6::Zero();
   double sigma = 0.0;  ///< m, the adaptive threshold that the registration used
   bool deskewed = false;
 };

@@ -12,6 +12,7 @@ enum class RegistrationOutcome {
   converged,
   max_iterations,           ///< the pose is the last iterate
   too_few_correspondences,  ///< the pose is the initial one
+  no_fit,                   ///< nor from any other guess: the pose is the initial one
   map_empty,                ///< the first scan: the pose is the initial one
 };
 
@@ -28,6 +29,8 @@ struct RegistrationResult {
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;
+  /// Share of the points that the map explains: with a residual of at most final_sigma, 0 … 1.
+  double explained = 0.0;
   double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
 };
 

@@ -88,6 +88,9 @@ void OfflineRun::insert(ScanReading reading, StageClock clock) {
 }
 
 void OfflineRun::onScan(const InformedScan& informed, const StageTimes& times) {
+  const std::string notice = verdicts_.take(informed);
+  if (!notice.empty())
+    progress_.say("scan " + std::to_string(slam_.account().received) + ": " + notice);
   folder_.add(informed, times);
 }
 

@@ -11,6 +11,7 @@
 #include "revisit_slam/ros/input/scan_source.h"
 #include "revisit_slam/session/run_folder.h"
 #include "revisit_slam/slam/slam.h"
+#include "revisit_slam/slam/verdict_notice.h"
 #include "revisit_slam/util/progress.h"
 
 namespace revisit_slam {
@@ -61,6 +62,7 @@ class OfflineRun : private SlamObserver {
   ScanReader reader_;
   std::size_t total_;
   Progress progress_;
+  VerdictNotice verdicts_;
   std::string tracked_frame_, said_time_source_;
   double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
   std::vector<MemoryMark> memory_;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/odometry/fit_judge.h"
+
+#include <gtest/gtest.h>
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kPoints = 1000;
+
+/// After scans of which the map explained 80 %.
+FitJudge settledJudge() {
+  FitJudge judge{FitConfig{}};
+  for (int i = 0; i < 20; ++i) judge.observe(0.8, PoseVerdict::good);
+  return judge;
+}
+
+TEST(FitJudge, comparesAScanWithThoseBefore) {
+  const FitJudge judge = settledJudge();
+  EXPECT_NEAR(judge.usual(), 0.8, 1e-12);
+  EXPECT_EQ(judge.judge(0.49, kPoints), PoseVerdict::good);  // 0.6 of what is usual is 0.48
+  EXPECT_EQ(judge.judge(0.47, kPoints), PoseVerdict::poor);
+  EXPECT_EQ(judge.judge(0.25, kPoints), PoseVerdict::poor);
+  EXPECT_EQ(judge.judge(0.23, kPoints), PoseVerdict::lost);
+}
+
+TEST(FitJudge, asksLittleOfTheFirstScansOfAMap) {
+  FitJudge judge{FitConfig{}};
+  EXPECT_EQ(judge.judge(0.0, kPoints), PoseVerdict::good);  // there is no map
+  judge.observe(0.0, PoseVerdict::good);
+  EXPECT_EQ(judge.judge(0.2, kPoints), PoseVerdict::good);
+  EXPECT_EQ(judge.judge(0.05, kPoints), PoseVerdict::poor);
+  judge.observe(0.2, PoseVerdict::good);
+  judge.observe(0.4, PoseVerdict::good);
+  EXPECT_NEAR(judge.usual(), 0.3, 1e-12);
+}
+
+TEST(FitJudge, aCoveredSensorIsNotElsewhere) {
+  EXPECT_EQ(settledJudge().judge(0.0, 20), PoseVerdict::poor);
+}
+
+TEST(FitJudge, surroundingsThatHaveChangedBecomeUsual) {
+  FitJudge judge = settledJudge();
+  int poor = 0;
+  while (judge.judge(0.45, kPoints) == PoseVerdict::poor && poor < 1000) {
+    judge.observe(0.45, PoseVerdict::poor);
+    ++poor;
+  }
+  EXPECT_GT(poor, 5);
+  EXPECT_LT(poor, 100);
+}
+
+TEST(FitJudge, neverLostWhereThatIsSwitchedOff) {
+  FitConfig config;
+  config.lost = 0.0;
+  FitJudge judge(config);
+  for (int i = 0; i < 20; ++i) judge.observe(0.8, PoseVerdict::good);
+  EXPECT_EQ(judge.judge(0.0, kPoints), PoseVerdict::poor);
+}
+
+}  // namespace
+}  // namespace revisit_slam
