@@ -99,9 +99,10 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.sigma = predicted.is_after_gap
                          ? std::max(config_.threshold.initial, threshold_.sigma())
                          : threshold_.sigma();
+  const RingSpacing rings(scan.points, scan.T_base_sensor);
   registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
-                                                map_, T_odom_predicted, registered.sigma);
-  recover(predicted, registered);
+                                                map_, T_odom_predicted, registered.sigma, rings);
+  recover(predicted, rings, registered);
   registered.verdict = verdictOn(registered);
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
   registered.T_odom_base = registered.registration.T_odom_base;
@@ -167,7 +168,8 @@ void Odometry::downsample(RegisteredScan& registered) {
 
 /// Keeps the guess from which the map explains most. After a gap a good fit may be that of the
 /// ground alone.
-void Odometry::recover(const PredictedMotion& predicted, RegisteredScan& registered) {
+void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& rings,
+                       RegisteredScan& registered) {
   if (config_.fit.good == 0.0) return;
   const auto fits = [&] { return verdictOn(registered) == PoseVerdict::good; };
   if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
@@ -175,7 +177,7 @@ void Odometry::recover(const PredictedMotion& predicted, RegisteredScan& registe
   for (const Pose& T_previous_base : recoveryGuesses(predicted)) {
     const RegistrationResult other =
         registration_.align(registered.source_base, {}, map_, T_odom_previous_ * T_previous_base,
-                            config_.threshold.initial);
+                            config_.threshold.initial, rings);
     if (other.explained > registered.registration.explained) registered.registration = other;
   }
   vain_recoveries_ = fits() ? 0 : vain_recoveries_ + 1;
@@ -208,8 +210,9 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   map_.insert(map_points_base_, Pose::identity());
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
-  registered.registration = registration_.align(registered.source_base, {}, map_,
-                                                registered.T_odom_base, registered.sigma);
+  registered.registration =
+      registration_.align(registered.source_base, {}, map_, registered.T_odom_base,
+                          registered.sigma, RingSpacing(scan.points, scan.T_base_sensor));
   registered.T_odom_base = registered.registration.T_odom_base;
 }
 

@@ -20,6 +20,7 @@ constexpr double kMatchVariance = 0.003;
 struct Source {
   const Points& points_base;
   const std::vector<float>& sweep_fractions;
+  const std::vector<AcrossRings>& across;
   double mean_fraction;
 
   double fraction(std::size_t i) const {
@@ -45,7 +46,7 @@ NormalEquations lineariseChunk(const Source& source, Chunk chunk, const LocalVox
     if (!matches[i].update(p_odom, map, max_distance)) continue;
     const Neighbour& neighbour = matches[i].neighbour();
     const Eigen::Vector3d r = R.transpose() * (p_odom - neighbour.point_odom);
-    objective.add({p, r}, neighbour.shape, R, equations);
+    objective.add({p, r}, neighbour.shape, source.across[i], R, equations);
   }
   return equations;
 }
@@ -90,11 +91,14 @@ void stayAt(const Pose& T_odom_predicted, RegistrationResult& result) {
 RegistrationResult Registration::align(const Points& points_base,
                                        const std::vector<float>& sweep_fractions,
                                        const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                                       double initial_sigma) {
+                                       double initial_sigma, const RingSpacing& rings) {
   RegistrationResult result;
   result.T_odom_base = T_odom_predicted;
   if (map.empty()) return result;
-  const Source source{points_base, sweep_fractions, mean(sweep_fractions)};
+  across_.clear();
+  for (const Eigen::Vector3f& point : points_base)
+    across_.push_back(rings.at(point.cast<double>(), map.pointSpacing()));
+  const Source source{points_base, sweep_fractions, across_, mean(sweep_fractions)};
   AnnealedSigma sigma(initial_sigma, config_);
   matches_.assign(points_base.size(), CachedMatch{});
   result.outcome = RegistrationOutcome::max_iterations;

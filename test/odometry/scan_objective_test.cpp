@@ -13,7 +13,7 @@ const PointToPoint kMatch{{3, 1, 2}, {0.3, 0.1, -0.2}};
 NormalEquations add(const LocalShape& shape, const RegistrationConfig& config = {}) {
   const Eigen::Matrix3d R = expSO3({M_PI / 2, 0, 0}).toRotationMatrix();
   NormalEquations equations;
-  ScanObjective(config, kSigma).add(kMatch, shape, R, equations);
+  ScanObjective(config, kSigma).add(kMatch, shape, {}, R, equations);
   return equations;
 }
 
@@ -30,6 +30,31 @@ TEST(ScanObjective, WeighsAMatchByItsLocalShape) {
   EXPECT_DOUBLE_EQ(weight(ShapeKind::sparse, 500.0f), config.sparse_weight * point);
   EXPECT_DOUBLE_EQ(weight(ShapeKind::scattered, 30.0f), 30.0 / config.scattered_points * point);
   EXPECT_DOUBLE_EQ(weight(ShapeKind::scattered, 500.0f), point);
+}
+
+TEST(ScanObjective, OfAScatteredMatchLeavesOutWhatIsUnknownAcrossTheRings) {
+  const RegistrationConfig config;
+  const Eigen::Vector3d across = Eigen::Vector3d(1, 2, 2) / 3.0;
+  const auto of = [&](double unknown, ShapeKind kind) {
+    NormalEquations equations;
+    ScanObjective(config, kSigma)
+        .add(kMatch, {kind, Eigen::Vector3f::UnitZ(), 500.0f}, {across, unknown},
+             Eigen::Matrix3d::Identity(), equations);
+    return equations;
+  };
+  const NormalEquations blind = of(1.0, ShapeKind::scattered);
+  const double e = across.dot(kMatch.r), weight = robust(kMatch.squared() - e * e);
+  EXPECT_NEAR(across.dot(blind.g().head<3>()), 0.0, 1e-12);
+  EXPECT_NEAR(across.dot(blind.H().topLeftCorner<3, 3>() * across), 0.0, 1e-12);
+  const Eigen::Vector3d along(0, -M_SQRT1_2, M_SQRT1_2);
+  EXPECT_NEAR(along.dot(blind.g().head<3>()), weight * along.dot(kMatch.r), 1e-12);
+  EXPECT_NEAR(of(0.75, ShapeKind::scattered).H().trace(),
+              of(0.0, ShapeKind::scattered).H().trace() * robust(kMatch.squared() - 0.75 * e * e) /
+                      robust(kMatch.squared()) -
+                  0.75 * robust(kMatch.squared() - 0.75 * e * e) *
+                      (1.0 + kMatch.p.cross(across).squaredNorm()),
+              1e-9);
+  EXPECT_EQ(of(1.0, ShapeKind::planar).H(), of(0.0, ShapeKind::planar).H());
 }
 
 TEST(ScanObjective, OfAPlaneIsTheDistanceToItAndALittleOfThatWithinIt) {

@@ -3,6 +3,7 @@
 
 #include <tsl/robin_map.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,8 @@ class LocalVoxelMap {
   bool empty() const { return block_of_.empty(); }
   std::size_t voxels() const { return block_of_.size(); }
   double voxelSize() const { return voxel_size_; }
+  /// m, the smallest distance between two points of a voxel.
+  double pointSpacing() const { return std::sqrt(static_cast<double>(min_spacing_squared_)); }
   Points points(const Pose& T_target_odom = {}) const;
 
   /// Runs in the current TBB arena; the same bits for any number of threads.

@@ -76,7 +76,8 @@ class Odometry {
   };
 
   void downsample(RegisteredScan& registered);
-  void recover(const PredictedMotion& predicted, RegisteredScan& registered);
+  void recover(const PredictedMotion& predicted, const RingSpacing& rings,
+               RegisteredScan& registered);
   PoseVerdict verdictOn(const RegisteredScan& registered) const {
     return fit_.judge(registered.registration.explained, registered.source_base.size());
   }

@@ -5,6 +5,7 @@
 
 #include "revisit_slam/icp/cached_match.h"
 #include "revisit_slam/icp/local_voxel_map.h"
+#include "revisit_slam/icp/ring_spacing.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/scan_objective.h"
 #include "revisit_slam/types/pose.h"
@@ -28,15 +29,16 @@ class Registration {
   }
 
   /// `sweep_fractions`: one for each point, or none; T_odom_predicted is then the first guess
-  /// alone. `initial_sigma` in metres. Runs in the current TBB arena; the same bits for any number
-  /// of threads.
+  /// alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. Runs in the
+  /// current TBB arena; the same bits for any number of threads.
   RegistrationResult align(const Points& points_base, const std::vector<float>& sweep_fractions,
                            const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                           double initial_sigma);
+                           double initial_sigma, const RingSpacing& rings = {});
 
  private:
   RegistrationConfig config_;
   std::vector<CachedMatch> matches_;  // kept for its memory
+  std::vector<AcrossRings> across_;   // the same
 };
 
 }  // namespace revisit_slam

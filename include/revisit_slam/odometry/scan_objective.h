@@ -5,6 +5,7 @@
 
 #include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/icp/normal_equations.h"
+#include "revisit_slam/icp/ring_spacing.h"
 #include "revisit_slam/icp/robust_kernel.h"
 #include "revisit_slam/odometry/odometry_config.h"
 
@@ -13,16 +14,19 @@ namespace revisit_slam {
 /// What the registration of a scan minimises (paper Eq. 1; KISS-ICP Sec. III-C), of residuals
 /// r_i = R^T (T p_i - q_i) to map points nearer than 3 sigma, with T = T_odom_base:
 ///
-///   sum_i a_i w(|r_i|^2) |r_i|^2,
+///   sum_i a_i w(s_i) s_i,  s_i = |r_i|^2 - b_i (u_i^T r_i)^2,
 ///
 /// and where the map around q_i is planar with the normal n_i, instead
 ///
-///   sum_i w(e_i^2) (e_i^2 + b |r_i|^2),  e_i = n_i^T r_i,
+///   sum_i w(e_i^2) (e_i^2 + c |r_i|^2),  e_i = n_i^T r_i,
 ///
 /// where w is the weight of Geman and McClure with k^2 = sigma, recomputed in each iteration. a_i
 /// is small where the map points around are few or linear: the rings that a sensor draws on the
 /// ground and on walls move along with it; taken as points they hold the estimate back and turn it
-/// (docs/odometry.md). With `planes` off a_i is 1 and all residuals are point to point.
+/// (docs/odometry.md). u_i is the direction across the rings of the sensor, b_i how little is known
+/// between them (icp/ring_spacing.h): what is no plane, such as a tree, matches the same ring of
+/// the scan before, whose height is that of the sensor then, and the pose would be turned up. With
+/// `planes` off a_i is 1, b_i 0 and all residuals are point to point.
 ///
 /// To change the objective of the odometry, change this file; for a new kernel icp/robust_kernel.h
 /// as well, for a new residual icp/residuals.h and icp/normal_equations.h, for a new parameter
@@ -39,8 +43,8 @@ class ScanObjective {
   double maxDistance() const { return maxDistance(sigma_); }
 
   /// Adds the match of a point with a neighbour. `R`: R_odom_base.
-  void add(const PointToPoint& match, const LocalShape& shape, const Eigen::Matrix3d& R,
-           NormalEquations& equations) const {
+  void add(const PointToPoint& match, const LocalShape& shape, const AcrossRings& across,
+           const Eigen::Matrix3d& R, NormalEquations& equations) const {
     if (config_.planes && shape.kind == ShapeKind::planar) {
       const Eigen::Vector3d n = R.transpose() * shape.normal.cast<double>();
       const PointToPlane plane{match.p, n, n.dot(match.r)};
@@ -49,8 +53,14 @@ class ScanObjective {
       equations.add(plane, weight);
       equations.add(match, config_.within_plane_weight * weight);
     } else {
+      const Eigen::Vector3d& u = across.direction_base;
+      const PointToPlane between{match.p, u, u.dot(match.r)};
+      const double unknown = config_.planes ? across.unknown : 0.0;
+      const double squared = match.squared() - unknown * between.squared();
+      const double weight = shapeWeight(shape) * kernel_.weight(squared);
       countMatch(match.squared(), equations);
-      equations.add(match, shapeWeight(shape) * kernel_.weight(match.squared()));
+      equations.add(match, weight);
+      if (unknown > 0.0) equations.add(between, -unknown * weight);
     }
   }
 
