@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t kVectorWidth = 4;
 constexpr std::size_t kLargestCapacity = 100;
 constexpr std::size_t kBlocksAtATime = 128;
+/// The vertical part of the normal of a level plane is at least this.
+constexpr float kLevel = 0.9f;
 
 /// The 26 neighbours of a voxel: those that share a face first, then an edge, then a corner.
 std::array<Voxel, 26> makeNeighbourOffsets() {
@@ -122,6 +124,30 @@ PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
   add(Voxel::Zero());
   for (const Voxel& offset : kNeighbourOffsets) add(offset);
   return around;
+}
+
+bool LocalVoxelMap::isLevel(const Voxel& voxel) const {
+  const auto entry = block_of_.find(packVoxel(voxel));
+  if (entry == block_of_.end()) return false;
+  const LocalShape& shape = shapes_[entry->second];
+  return shape.kind == ShapeKind::planar && std::abs(shape.normal.z()) > kLevel;
+}
+
+double LocalVoxelMap::coveredShare(int height) const {
+  std::size_t level = 0, covered = 0;
+  for (BlockIndex block = 0; block < shapes_.size(); ++block) {
+    if (sizes_[block] == 0 || !isLevel(voxels_[block])) continue;
+    ++level;
+    Voxel above = voxels_[block] + Voxel::UnitZ();
+    if (isLevel(above)) continue;  // the same plane
+    for (int k = 2; k <= height; ++k) {
+      above += Voxel::UnitZ();
+      if (!isLevel(above)) continue;
+      ++covered;
+      break;
+    }
+  }
+  return level == 0 ? 0.0 : static_cast<double>(covered) / static_cast<double>(level);
 }
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {

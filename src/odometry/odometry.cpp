@@ -15,6 +15,8 @@ namespace {
 /// Down-sampling of the published system, in voxels of the map: fine for the map, coarse for ICP.
 constexpr double kMapPointSpacing = 0.5;
 constexpr double kSourcePointSpacing = 1.5;
+/// How often the voxels follow the surroundings; a look over the local map takes about 1 ms.
+constexpr std::uint32_t kScansPerScale = 10;
 
 /// A drive that fits nowhere for longer is not worth the time of further guesses.
 constexpr int kMostVainRecoveries = 3;
@@ -35,6 +37,16 @@ void select(const std::vector<float>& values, const VoxelFilter::Indices& indice
   selected.clear();
   if (values.empty()) return;
   for (const std::uint32_t index : indices) selected.push_back(values[index]);
+}
+
+/// m, the median distance from the sensor.
+double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base) {
+  std::vector<float> ranges;
+  for (const Eigen::Vector3f& point : points_base)
+    ranges.push_back((point - sensor_base.cast<float>()).norm());
+  const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
+  std::nth_element(ranges.begin(), middle, ranges.end());
+  return *middle;
 }
 
 }  // namespace
@@ -59,6 +71,7 @@ Odometry::Odometry(const OdometryConfig& config)
 Odometry::Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor> predictor)
     : config_(config),
       predictor_(std::move(predictor)),
+      scale_(config.map.voxel_size, config.adaptive_voxel_size),
       map_(config.map, config.registration.planes),
       registration_(config.registration),
       threshold_(config.threshold, config.max_range),
@@ -91,7 +104,12 @@ OdometryResult Odometry::align(const Scan& scan) {
   sweep_fractions_ = std::move(preprocessed.sweep_fractions);
   clock.stage("preprocess");
 
-  downsample(registered);
+  if (scans_ == 0) {
+    chooseScale(registered);
+  } else {
+    downsample(registered);
+  }
+  registered.voxel_size = map_.voxelSize();
   clock.stage("downsample");
 
   const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
@@ -121,7 +139,8 @@ OdometryResult Odometry::align(const Scan& scan) {
               registered.registration.information,
               predicted.is_after_gap,
               registered.registration.explained,
-              registered.verdict};
+              registered.verdict,
+              medianRange(registered.source_base, registered.sensor_base)};
   clock.stage("register");
   result.times = clock.times();
   return result;
@@ -131,7 +150,7 @@ void Odometry::commit() {
   const Aligned aligned = aligned_.value();
   aligned_.reset();
   if (aligned.verdict == PoseVerdict::lost) {
-    map_ = LocalVoxelMap(config_.map, config_.registration.planes);
+    map_ = emptyMap(scale_.voxelSize());
     threshold_ = AdaptiveThreshold(config_.threshold, config_.max_range);
     fit_ = FitJudge(config_.fit);
     predictor_->forget();
@@ -140,6 +159,7 @@ void Odometry::commit() {
   }
   map_.insert(map_points_base_, aligned.T_odom_base);
   map_.dropBeyond(aligned.T_odom_base.translation, config_.max_range);
+  followScale(aligned);
   predictor_->observe(aligned.stamp, aligned.T_odom_base, aligned.information);
   T_odom_previous_ = aligned.T_odom_base;
   previous_stamp_ = aligned.stamp;
@@ -153,8 +173,35 @@ OdometryResult Odometry::registerScan(const Scan& scan) {
   return result;
 }
 
+LocalVoxelMap Odometry::emptyMap(double voxel_size) const {
+  LocalVoxelMapConfig config = config_.map;
+  config.voxel_size = voxel_size;
+  return LocalVoxelMap(config, config_.registration.planes);
+}
+
+/// From the first scan of a drive, which alone may change the voxels by more than one step.
+void Odometry::chooseScale(RegisteredScan& registered) {
+  scale_ = VoxelScale(config_.map.voxel_size, config_.adaptive_voxel_size);
+  LocalVoxelMap map_of_scan = map_;
+  do {
+    map_ = map_of_scan = emptyMap(scale_.voxelSize());
+    downsample(registered);
+    scale_.observe(medianRange(registered.source_base, registered.sensor_base));
+    map_of_scan.insert(map_points_base_, Pose::identity());
+  } while (scale_.shrink(map_of_scan));
+}
+
+/// The points of the local map stay; those that are too near to others for larger voxels go.
+void Odometry::followScale(const Aligned& aligned) {
+  scale_.observe(aligned.reach);
+  if (scans_ % kScansPerScale != 0 || !scale_.follow(map_)) return;
+  const Points points_base = map_.points(aligned.T_odom_base.inverse());
+  map_ = emptyMap(scale_.voxelSize());
+  map_.insert(points_base, aligned.T_odom_base);
+}
+
 void Odometry::downsample(RegisteredScan& registered) {
-  const double voxel_size = config_.map.voxel_size;
+  const double voxel_size = map_.voxelSize();
   const Sampling sampling = samplingOf(config_);
   select(sweep_fractions_,
          (voxel_filter_.*sampling.of_map)(registered.points_base, kMapPointSpacing * voxel_size,
@@ -206,7 +253,7 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   RegisteredScan first_again;
   first_again.points_base = preprocess(*first, motion, config_).points_base;
   downsample(first_again);
-  map_ = LocalVoxelMap(config_.map, config_.registration.planes);
+  map_ = emptyMap(map_.voxelSize());
   map_.insert(map_points_base_, Pose::identity());
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);

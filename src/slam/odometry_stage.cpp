@@ -2,9 +2,21 @@
 #include "revisit_slam/slam/odometry_stage.h"
 
 #include <exception>
+#include <sstream>
 #include <utility>
 
 namespace revisit_slam {
+
+namespace {
+
+std::string describeVoxels(const RegisteredScan& scan) {
+  std::ostringstream text;
+  text << "the edge of the local map's voxels is now " << scan.voxel_size
+       << " m, as far as scans reach";
+  return text.str();
+}
+
+}  // namespace
 
 OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
     : config_(config.odometry),
@@ -16,7 +28,8 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       assembler_(config.input),
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
       odometry_(config.odometry),
-      rest_(config.mapping.rest_interval) {}
+      rest_(config.mapping.rest_interval),
+      voxel_size_(config.odometry.map.voxel_size) {}
 
 std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   ++account_.received;
@@ -68,7 +81,8 @@ void OdometryStage::process(std::vector<StampGate::Decision> decisions,
     }
     if (decision.went_back)
       results.back().notice = "the stamps went back by " + std::to_string(*decision.went_back) +
-                              " s: a new session begins";
+                              " s: a new session begins" +
+                              (results.back().notice.empty() ? "" : "; " + results.back().notice);
   }
 }
 
@@ -89,6 +103,8 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   account_.points_dropped["too far"] += aligned.too_far;
   if (!aligned.scan) return reject(toString(aligned.outcome));
   ++account_.processed;
+  if (aligned.scan->voxel_size != voxel_size_) result.notice = describeVoxels(*aligned.scan);
+  voxel_size_ = aligned.scan->voxel_size;
   aligned.scan->id = idOf(*aligned.scan);
   aligned.scan->sensor_frame = std::move(reading.frame_id);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
@@ -130,6 +146,7 @@ void OdometryStage::beginSession() {
   odometry_ = Odometry(config_);
   rest_ = RestDetector(rest_interval_);
   ids_ = 0;
+  voxel_size_ = config_.map.voxel_size;
 }
 
 void OdometryStage::reconfigure(const OdometryConfig& config) {

@@ -231,6 +231,41 @@ TEST(Odometry, AScanThatIsNotCommittedHasNotBeen) {
             without.registerScan(last).scan->T_odom_base.matrix());
 }
 
+/// The drive in the hall of 40 x 30 m, everything a tenth as large.
+TEST(Odometry, FollowsADriveInASmallRoomWithTheDefaults) {
+  Drive drive = driveInRoom(40);
+  OdometryConfig config;
+  config.min_range = 0.05;
+  Odometry odometry(config);
+  OdometryResult result;
+  for (Scan& scan : drive.scans) {
+    for (Eigen::Vector3f& point : scan.points) point *= 0.1f;
+    scan.T_base_sensor.translation *= 0.1;
+    result = odometry.registerScan(scan);
+    EXPECT_LE(result.scan->voxel_size, 0.125);
+  }
+  Pose truth = drive.T_first_base.back();
+  truth.translation *= 0.1;
+  EXPECT_LT(distanceBetween(result.scan->T_odom_base, truth), 0.03);
+  EXPECT_EQ(odometry.map().voxelSize(), result.scan->voxel_size);
+}
+
+TEST(Odometry, KeepsTheLocalMapWhenItsVoxelsChange) {
+  const Drive drive = driveInRoom(30);
+  OdometryConfig config = roomConfig();
+  config.map.voxel_size = 2.0;
+  Odometry odometry(config);
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    const auto result = odometry.registerScan(drive.scans[i]);
+    EXPECT_LT(distanceBetween(result.scan->T_odom_base, drive.T_first_base[i]), 0.1) << i;
+  }
+  EXPECT_LT(odometry.map().voxelSize(), 2.0);
+  config.adaptive_voxel_size = false;
+  Odometry fixed(config);
+  fixed.registerScan(drive.scans[0]);
+  EXPECT_EQ(fixed.map().voxelSize(), 2.0);
+}
+
 TEST(Odometry, TakesOverRangesBetweenScans) {
   const Drive drive = driveInRoom(2);
   OdometryConfig config = roomConfig();

@@ -58,6 +58,16 @@ TEST(OdometryStage, thePosesAreThoseOfTheOdometryWithAndWithoutInformation) {
   }
 }
 
+TEST(OdometryStage, saysWhenTheVoxelsOfTheLocalMapChange) {
+  Drive drive = driveInRoom(2);
+  OdometryStage stage(roomSlam());
+  EXPECT_EQ(processOne(stage, readingOf(drive.scans[0])).notice, "");
+  stage.startSession();
+  for (Eigen::Vector3f& point : drive.scans[0].points) point *= 0.1f;
+  EXPECT_NE(processOne(stage, readingOf(drive.scans[0])).notice.find("voxels"), std::string::npos);
+  EXPECT_EQ(processOne(stage, readingOf(drive.scans[1])).notice, "");
+}
+
 TEST(OdometryStage, accountsForEveryReading) {
   const Drive drive = driveInRoom(2);
   OdometryStage stage(roomSlam());

@@ -52,6 +52,10 @@ class LocalVoxelMap {
   /// Exact; looks only into voxels that can hold a nearer point than the best so far.
   bool nearest(const Eigen::Vector3d& query_odom, double max_distance, Neighbour& neighbour) const;
 
+  /// Of the voxels with a level plane: the share that has another such voxel above it, at least two
+  /// and at most `height` voxels up. Floors under ceilings.
+  double coveredShare(int height) const;
+
   /// Calls see(point_odom - query_odom) for every point of every voxel that reaches into the ball
   /// around the query, in an order that depends on the voxels alone.
   template <typename See>
@@ -64,6 +68,7 @@ class LocalVoxelMap {
   /// @return whether the point entered.
   bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
   void updateShapes(std::vector<BlockIndex>& changed);
+  bool isLevel(const Voxel& voxel) const;
   PointMoments momentsAround(const Voxel& voxel) const;
   const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
   Eigen::Vector3d corner(BlockIndex block) const {

@@ -13,6 +13,7 @@
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/preprocessing.h"
 #include "revisit_slam/odometry/registration.h"
+#include "revisit_slam/odometry/voxel_scale.h"
 #include "revisit_slam/types/registered_scan.h"
 #include "revisit_slam/util/stage_times.h"
 
@@ -73,8 +74,12 @@ class Odometry {
     bool is_after_gap;
     double explained;
     PoseVerdict verdict;
+    double reach;  ///< m, see VoxelScale
   };
 
+  LocalVoxelMap emptyMap(double voxel_size) const;
+  void chooseScale(RegisteredScan& registered);
+  void followScale(const Aligned& aligned);
   void downsample(RegisteredScan& registered);
   void recover(const PredictedMotion& predicted, const RingSpacing& rings,
                RegisteredScan& registered);
@@ -87,6 +92,7 @@ class Odometry {
 
   OdometryConfig config_;
   std::unique_ptr<MotionPredictor> predictor_;
+  VoxelScale scale_;
   LocalVoxelMap map_;
   Registration registration_;
   AdaptiveThreshold threshold_;

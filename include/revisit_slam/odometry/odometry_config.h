@@ -110,6 +110,7 @@ struct OdometryConfig {
   double max_range = 100.0;
   double min_range = 0.5;
   bool deskew = true;
+  bool adaptive_voxel_size = true;
   bool redo_first_scans = true;
   std::string sampling = "spread";
   double max_prediction_time = 1.0;
@@ -129,6 +130,10 @@ struct OdometryConfig {
       "distance from the sensor within which points are dropped. Raise it if the sensor sees its "
       "bearer; lower it in narrow surroundings");
     v("deskew", deskew, "correction of the motion within a scan where its point times are known");
+    v("adaptive_voxel_size", adaptive_voxel_size,
+      "smaller voxels of the local map where scans reach less than ten of them, as in rooms, or a "
+      "ceiling is less than five of them above the floor, as in garages; false: map/voxel_size "
+      "everywhere");
     v("redo_first_scans", redo_first_scans,
       "true: the first two scans are deskewed and registered once more with the motion between "
       "them; false: the first scan is taken as it is, as in KISS-ICP");

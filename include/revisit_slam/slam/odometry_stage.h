@@ -37,7 +37,7 @@ class OdometryStage {
   struct Result {
     OdometryOutput output;  ///< without scan where the reading was dropped
     std::string rejection;  ///< why
-    std::string notice;     ///< of a session or of messages that began with it; else empty
+    std::string notice;     ///< of a session, messages or voxels that change with it; else empty
     StageTimes times;
   };
 
@@ -83,6 +83,7 @@ class OdometryStage {
   Odometry odometry_;
   RestDetector rest_;
   std::uint32_t ids_ = 0;  // given in the session
+  double voxel_size_;      // m, of the scan before
   ScanAccount account_;
 };
 

@@ -32,7 +32,8 @@ struct RegisteredScan {
   /// Of the predicted motion, for right perturbations [m; rad] in the base frame; zero: nothing is
   /// known.
   Matrix6 prior_information = Matrix6::Zero();
-  double sigma = 0.0;  ///< m, the adaptive threshold that the registration used
+  double voxel_size = 0.0;  ///< m, edge of the local map's voxels that it was registered with
+  double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   bool deskewed = false;
 };
 
