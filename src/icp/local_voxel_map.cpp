@@ -216,6 +216,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
     float distances[kLargestCapacity];
     squaredDistances(coordinates(block), capacity_, sizes_[block],
                      query - edge * offset.cast<float>(), distances);
+    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): that has filled as many
     for (std::size_t i = 0; i < sizes_[block]; ++i) best.offer(distances[i], block, i);
   };
 

@@ -13,8 +13,8 @@ LocalVoxelMap mapOf(double voxel_size, const std::vector<float>& heights) {
   LocalVoxelMap map(config);
   Points points;
   for (const float z : heights)
-    for (float x = 0.05f; x < 12.0f; x += 0.25f)
-      for (float y = 0.05f; y < 12.0f; y += 0.25f) points.push_back({x, y, z});
+    for (int x = 0; x < 48; ++x)
+      for (int y = 0; y < 48; ++y) points.push_back({0.05f + 0.25f * x, 0.05f + 0.25f * y, z});
   map.insert(points, Pose::identity());
   return map;
 }

@@ -20,20 +20,20 @@ struct RegisteredScan {
   std::string sensor_frame;  ///< frame_id of the message
   Stamp stamp;               ///< the instant at which the pose is valid
   Pose T_odom_base;
-  double seconds_since_previous = 0.0;      ///< 0 for the first scan
   Tangent velocity_base = Tangent::Zero();  ///< [m/s; rad/s], mean since the previous scan
   /// What the motion that the scan was deskewed with missed: Log(T_odom_deskewed^-1 * T_odom_base).
   Tangent deskew_error = Tangent::Zero();
-  Points points_base;  ///< all points in range, deskewed to `stamp`
-  Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
-  Points source_base;  ///< the down-sampled points that were registered
-  RegistrationResult registration;
-  PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
   /// Of the predicted motion, for right perturbations [m; rad] in the base frame; zero: nothing is
   /// known.
   Matrix6 prior_information = Matrix6::Zero();
+  RegistrationResult registration;
+  double seconds_since_previous = 0.0;  ///< 0 for the first scan
+  Points points_base;                   ///< all points in range, deskewed to `stamp`
+  Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
+  Points source_base;       ///< the down-sampled points that were registered
   double voxel_size = 0.0;  ///< m, edge of the local map's voxels that it was registered with
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
+  PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
   bool deskewed = false;
 };
 
