@@ -19,6 +19,9 @@ constexpr double kFewestShare = 0.05;
 /// Bins that a ring has at most: it may lie across the border of two.
 constexpr int kWidestRing = 2;
 
+/// On the axis of the sensor no direction is across the rings, and sines round to more than 1.
+constexpr double kSmallestCosine = 0.01;
+
 /// Neighbouring bins with points: a ring, or rings that cannot be told apart.
 struct Band {
   int first, last;
@@ -90,8 +93,8 @@ AcrossRings RingSpacing::at(const Eigen::Vector3d& p_base, double resolution) co
   const Eigen::Vector3d ray = p_base - sensor_base_;
   const double range = ray.norm();
   const double sine = range > 0.0 ? axis_base_.dot(ray) / range : 1.0;
-  const double cosine = std::sqrt(1.0 - sine * sine);
-  const double spacing = range * gap(sine) / std::max(cosine, 0.01);
+  const double cosine = std::sqrt(std::max(kSmallestCosine * kSmallestCosine, 1.0 - sine * sine));
+  const double spacing = range * gap(sine) / cosine;
   if (spacing <= resolution) return {};
   const double known = resolution / spacing;
   return {(axis_base_ - sine / range * ray) / cosine, 1.0 - known * known};

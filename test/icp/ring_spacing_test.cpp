@@ -55,6 +55,14 @@ TEST(RingSpacing, TheDirectionIsThatOfARisingElevation) {
   EXPECT_GT(across.direction_base.dot(expected), 0.9999);
 }
 
+/// The sine of the elevation rounds to more than 1 there.
+TEST(RingSpacing, NothingIsUnknownOnTheAxisOfTheSensor) {
+  const RingSpacing rings(ringedPoints(), kTurned);
+  for (int i = 1; i < 2000; ++i)
+    for (const double z : {-0.01 * i, 0.01 * i})
+      ASSERT_EQ(rings.at(kTurned * Eigen::Vector3d(0.0, 0.0, z), 0.2).unknown, 0.0) << z;
+}
+
 TEST(RingSpacing, ASensorWithoutRingsLeavesNothingUnknown) {
   RandomNumbers random(2);
   Points points;
