@@ -46,6 +46,7 @@ void InformationStage::doubt(InformedScan& informed) const {
     informed.covariance_motion.setZero();
   }
   informed.covariance_motion += prior.inverse();
+  if (last_estimate_.mean_squared_residual <= 0.0) return;  // nothing was estimated: no unit
   informed.estimate.information = motion_covariance_.informationOf(
       informed.covariance_motion, last_estimate_.mean_squared_residual);
 }

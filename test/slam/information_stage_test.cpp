@@ -58,5 +58,15 @@ TEST(InformationStage, aPoorPoseMayBeOffByAsMuchAsThePrediction) {
   EXPECT_LT(poor.estimate.information(0, 0), 0.01 * good.estimate.information(0, 0));
 }
 
+TEST(InformationStage, withoutEstimatesPoorEdgesKeepAnInformation) {
+  for (const PoseVerdict verdict : {PoseVerdict::poor, PoseVerdict::lost}) {
+    std::vector<OdometryOutput> odometry = outputs(verdict);
+    for (OdometryOutput& output : odometry) output.problem = nullptr;  // information switched off
+    const InformedScan informed = lastOf(odometry);
+    EXPECT_EQ(informed.verdict, verdict);
+    EXPECT_GT(informed.estimate.information.diagonal().minCoeff(), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace revisit_slam
