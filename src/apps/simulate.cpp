@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
@@ -13,7 +15,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/simulation/drive.h"
+#include "revisit_slam/simulation/motion_sensors.h"
 #include "revisit_slam/simulation/report.h"
 
 namespace revisit_slam::simulation {
@@ -27,6 +31,10 @@ struct Options {
   RouteConfig route;
   WorldConfig traffic;
   ScanConfig scan;
+  WheelConfig wheels;
+  ImuConfig imu;
+  bool with_wheels = false;
+  bool with_imu = false;
   double height = 0.0;
   double start_time = 1700000000.0;
   int columns = 0;
@@ -85,6 +93,25 @@ void declareSensor(CLI::App& app, Options& o) {
   app.add_flag("--deskewed", o.scan.deskewed, "cast all rays of a scan from the pose at its end");
 }
 
+void declareMotionSensors(CLI::App& app, Options& o) {
+  app.add_flag("--wheels", o.with_wheels, "write /wheel_odometry, nav_msgs/Odometry");
+  app.add_option("--wheel-scale-error", o.wheels.scale_error,
+                 "share by which wheels count distances wrong, up or down by the seed")
+      ->check(CLI::Range(0.0, 0.5))
+      ->capture_default_str();
+  app.add_option("--wheel-heading-noise", o.wheels.heading_noise,
+                 "degrees, standard deviation of their heading after a metre")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  app.add_flag("--imu", o.with_imu, "write /imu, sensor_msgs/Imu, of a usual MEMS unit");
+  app.add_option("--gyro-noise", o.imu.gyro_noise, "deg/s/sqrt(Hz)")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--gyro-bias", o.imu.gyro_bias, "deg/s, standard deviation on each axis")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+}
+
 void declareRun(CLI::App& app, Options& o) {
   app.add_option("--out", o.out, "bag to write; FILE.gt.tum and FILE.json are put beside it")
       ->required();
@@ -98,9 +125,11 @@ void complete(Options& o) {
   o.route.world = worldKindOf(o.world);
   o.route.motion = o.motion == "handheld" ? MotionKind::kHandheld : MotionKind::kVehicle;
   o.route.start = Stamp::fromSeconds(o.start_time);
-  o.scan.seed = o.route.seed;
+  o.scan.seed = o.wheels.seed = o.imu.seed = o.route.seed;
   if (o.height <= 0.0) o.height = o.motion == "handheld" ? 1.5 : 1.8;
   o.scan.T_base_sensor.translation = {0.0, 0.0, o.height};
+  // Turned by a right angle, so that whoever forgets the mounting notices.
+  o.imu.T_base_imu = {expSO3({0.0, 0.0, 0.5 * M_PI}), {0.2, -0.1, 0.5 * o.height}};
   if (o.still) o.traffic.moving_cars = 0;
 }
 
@@ -181,15 +210,20 @@ class CloudWriter {
   std::uint8_t* target_ = nullptr;
 };
 
-void writeMounting(rosbag::Bag& bag, const Options& o, Stamp start) {
+geometry_msgs::TransformStamped mounting(const char* frame, const Pose& T_base_sensor,
+                                         Stamp start) {
   geometry_msgs::TransformStamped transform;
-  transform.header.stamp.fromNSec(static_cast<std::uint64_t>(start.nanoseconds));
+  transform.header.stamp = toRosTime(start);
   transform.header.frame_id = "base_link";
-  transform.child_frame_id = "lidar";
-  transform.transform.translation.z = o.height;
-  transform.transform.rotation.w = 1.0;
+  transform.child_frame_id = frame;
+  transform.transform = toTransformMessage(T_base_sensor);
+  return transform;
+}
+
+void writeMountings(rosbag::Bag& bag, const Options& o, Stamp start) {
   tf2_msgs::TFMessage message;
-  message.transforms.push_back(transform);
+  message.transforms.push_back(mounting("lidar", o.scan.T_base_sensor, start));
+  if (o.with_imu) message.transforms.push_back(mounting("imu", o.imu.T_base_imu, start));
   auto connection = boost::make_shared<ros::M_string>();
   using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
   (*connection)["topic"] = "/tf_static";
@@ -198,8 +232,53 @@ void writeMounting(rosbag::Bag& bag, const Options& o, Stamp start) {
   (*connection)["message_definition"] = ros::message_traits::definition<tf2_msgs::TFMessage>();
   (*connection)["callerid"] = "/simulate";
   (*connection)["latching"] = "1";
-  bag.write("/tf_static", transform.header.stamp, message, connection);
+  bag.write("/tf_static", toRosTime(start), message, connection);
 }
+
+/// Covariances of all zeros: not known.
+nav_msgs::Odometry messageOf(const WheelReading& reading) {
+  nav_msgs::Odometry message;
+  message.header.stamp = toRosTime(reading.stamp);
+  message.header.frame_id = "odom";
+  message.child_frame_id = "base_link";
+  message.pose.pose = toPoseMessage(reading.T_odom_base);
+  message.twist.twist.linear.x = reading.velocity_base[0];
+  message.twist.twist.angular.z = reading.velocity_base[5];
+  return message;
+}
+
+sensor_msgs::Imu messageOf(const ImuSample& sample) {
+  sensor_msgs::Imu message;
+  message.header.stamp = toRosTime(sample.stamp);
+  message.header.frame_id = "imu";
+  message.orientation_covariance[0] = -1.0;  // it gives none
+  message.angular_velocity.x = sample.turn_rate_imu.x();
+  message.angular_velocity.y = sample.turn_rate_imu.y();
+  message.angular_velocity.z = sample.turn_rate_imu.z();
+  message.linear_acceleration.x = sample.acceleration_imu.x();
+  message.linear_acceleration.y = sample.acceleration_imu.y();
+  message.linear_acceleration.z = sample.acceleration_imu.z();
+  return message;
+}
+
+/// Writes the readings of one sensor in the order of time, between the scans.
+template <typename Reading>
+class ReadingWriter {
+ public:
+  ReadingWriter(rosbag::Bag& bag, const char* topic, std::vector<Reading> readings)
+      : bag_(bag), topic_(topic), readings_(std::move(readings)) {}
+
+  void writeUntil(Stamp end) {
+    for (; next_ < readings_.size() && readings_[next_].stamp <= end; ++next_)
+      bag_.write(topic_, toRosTime(readings_[next_].stamp), messageOf(readings_[next_]));
+  }
+
+ private:
+  rosbag::Bag& bag_;
+  const char* topic_;
+  std::vector<Reading> readings_;
+  std::size_t next_ = 0;
+};
 
 /// A bar with rate and time left on a terminal, a line every ten per cent elsewhere.
 class Progress {
@@ -258,7 +337,9 @@ std::vector<std::pair<std::string, std::string>> optionsOf(const Options& o) {
           {"max-cars", number(o.traffic.moving_cars)},
           {"no-times", flag(o.no_times)},
           {"deskewed", flag(o.scan.deskewed)},
-          {"start-time", number(o.start_time)}};
+          {"start-time", number(o.start_time)},
+          {"wheels", flag(o.with_wheels)},
+          {"imu", flag(o.with_imu)}};
 }
 
 std::string besides(const std::string& bag, const std::string& ending) {
@@ -281,22 +362,35 @@ struct Summary {
   std::uint64_t points = 0;
 };
 
+/// Whoever waits for what follows the last point of the last scan gets it.
+constexpr double kReadingsAfterEnd = 0.1;  // s
+
 /// Writes all scans; the bag is whole when this returns.
 Summary writeBag(const Options& o, const Route& route, const ScanSimulator& simulator, int count) {
   rosbag::Bag bag(o.out, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::LZ4);
-  writeMounting(bag, o, route.start());
+  writeMountings(bag, o, route.start());
+  const Stamp end = scanStart(route, count).plusSeconds(kReadingsAfterEnd);
+  ReadingWriter<WheelReading> wheels(
+      bag, "/wheel_odometry",
+      o.with_wheels ? simulateWheels(route, end, o.wheels) : std::vector<WheelReading>());
+  ReadingWriter<ImuSample> imu(
+      bag, "/imu", o.with_imu ? simulateImu(route, end, o.imu) : std::vector<ImuSample>());
   CloudWriter writer(simulator.sensor(), !o.no_times);
   Progress progress(count, o.quiet);
   Summary summary;
   const auto record = [&](int index, const SimulatedScan& scan) {
     const auto cloud = writer.write(scan, static_cast<std::uint32_t>(index));
+    wheels.writeUntil(scan.first);
+    imu.writeUntil(scan.first);
     bag.write("/points", cloud.header.stamp, cloud);
     summary.last_points.push_back(scan.scan.stamp);
     summary.points += cloud.width;
     progress.show(index + 1);
   };
   simulateDrive(simulator, route, count, o.threads, record);
+  wheels.writeUntil(end);
+  imu.writeUntil(end);
   bag.close();
   return summary;
 }
@@ -342,6 +436,7 @@ int main(int argc, char** argv) {
   revisit_slam::simulation::declareRun(app, options);
   revisit_slam::simulation::declareDrive(app, options);
   revisit_slam::simulation::declareSensor(app, options);
+  revisit_slam::simulation::declareMotionSensors(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
     revisit_slam::simulation::run(options);
