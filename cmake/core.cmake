@@ -19,7 +19,7 @@ if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
 endif()
 
 # From the ground up: a room includes itself and those before it.
-set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp odometry information occupancy mapping pose_graph loops io
+set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp priors odometry information occupancy mapping pose_graph loops io
     datasets evaluation session slam)
 set(core_sources)
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})

@@ -29,14 +29,15 @@ SweepPose::SweepPose(const Pose& T_odom_base, const Tangent& correction)
 /// A step of the pose moves the points by (1 - fraction * correction_per_deviation) of itself. The
 /// mean fraction stands for all, which is near enough to converge.
 DeskewedStep deskewedStep(const NormalEquations& equations, const Tangent& deviation,
-                          double mean_sweep_fraction, const RegistrationConfig& config) {
+                          const Matrix6& prediction_weight, double mean_sweep_fraction,
+                          const RegistrationConfig& config) {
   Matrix6 H = equations.H();
   Tangent g = equations.g();
   DeskewedStep result;
   result.correction_per_deviation = correctionPerDeviation(H, config);
   H -= mean_sweep_fraction * H * result.correction_per_deviation;
-  H.diagonal().array() += config.prediction_weight;
-  g += config.prediction_weight * deviation;
+  H += prediction_weight;
+  g += prediction_weight * deviation;
   result.step = H.fullPivLu().solve(-g);
   return result;
 }

@@ -88,7 +88,8 @@ OdometryResult Odometry::align(const Scan& scan) {
   StageClock clock;
   const PredictedMotion predicted = predictor_->predict(scan.stamp);
   PreprocessedScan preprocessed =
-      preprocess(scan, predicted.velocity, config_, predicted.is_known ? predicted.seconds : 0.0);
+      preprocess(scan, predicted.velocity, config_, predicted.is_known ? predicted.seconds : 0.0,
+                 predicted.sweep ? &*predicted.sweep : nullptr);
   result.too_near = preprocessed.too_near;
   result.too_far = preprocessed.too_far;
   if (preprocessed.points_base.empty()) {
@@ -114,12 +115,11 @@ OdometryResult Odometry::align(const Scan& scan) {
 
   const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
   if (predicted.covariance) registered.prior_information = predicted.covariance->inverse();
-  registered.sigma = predicted.is_after_gap
-                         ? std::max(config_.threshold.initial, threshold_.sigma())
-                         : threshold_.sigma();
+  registered.sigma = sigmaFor(predicted);
   const RingSpacing rings(scan.points, scan.T_base_sensor);
-  registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
-                                                map_, T_odom_predicted, registered.sigma, rings);
+  registered.registration = registration_.align(
+      registered.source_base, source_sweep_fractions_, map_, T_odom_predicted, registered.sigma,
+      rings, predicted.is_measured ? predicted.covariance : std::nullopt);
   recover(predicted, rings, registered);
   registered.verdict = verdictOn(registered);
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
@@ -137,7 +137,7 @@ OdometryResult Odometry::align(const Scan& scan) {
               registered.T_odom_base,
               deviation,
               registered.registration.information,
-              predicted.is_after_gap,
+              !predicted.is_after_gap && !predicted.is_measured,
               registered.registration.explained,
               registered.verdict,
               medianRange(registered.source_base, registered.sensor_base)};
@@ -154,7 +154,7 @@ void Odometry::commit() {
     threshold_ = AdaptiveThreshold(config_.threshold, config_.max_range);
     fit_ = FitJudge(config_.fit);
     predictor_->forget();
-  } else if (!aligned.is_after_gap) {
+  } else if (aligned.enters_threshold) {
     threshold_.update(aligned.deviation);
   }
   map_.insert(map_points_base_, aligned.T_odom_base);
@@ -198,6 +198,19 @@ void Odometry::followScale(const Aligned& aligned) {
   const Points points_base = map_.points(aligned.T_odom_base.inverse());
   map_ = emptyMap(scale_.voxelSize());
   map_.insert(points_base, aligned.T_odom_base);
+}
+
+/// Where the motion was measured, its error is that of the measurement.
+double Odometry::sigmaFor(const PredictedMotion& predicted) const {
+  if (predicted.is_after_gap) return std::max(config_.threshold.initial, threshold_.sigma());
+  if (!predicted.is_measured) return threshold_.sigma();
+  const auto deviation = [&](Eigen::Index first) {
+    return std::sqrt(predicted.covariance->diagonal().segment<3>(first).sum());
+  };
+  const double error =
+      deviation(0) + 2.0 * config_.max_range * std::sin(0.5 * std::min(deviation(3), M_PI));
+  return std::clamp(error, std::min(config_.registration.final_sigma, threshold_.sigma()),
+                    threshold_.sigma());
 }
 
 void Odometry::downsample(RegisteredScan& registered) {

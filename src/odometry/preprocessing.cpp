@@ -14,9 +14,9 @@ struct ChunkCount {
 };
 
 /// The points of one chunk, written to the front of the chunk's own part of the output.
-ChunkCount preprocessChunk(const Scan& scan, const ConstantMotion* motion,
-                           float fraction_per_second, const OdometryConfig& config, Chunk chunk,
-                           PreprocessedScan& result) {
+template <typename Motion>
+ChunkCount preprocessChunk(const Scan& scan, const Motion* motion, float fraction_per_second,
+                           const OdometryConfig& config, Chunk chunk, PreprocessedScan& result) {
   const Eigen::Matrix3f R = scan.T_base_sensor.rotationMatrix().cast<float>();
   const Eigen::Vector3f t = scan.T_base_sensor.translation.cast<float>();
   const auto squared = [](double range) { return static_cast<float>(range * range); };
@@ -47,7 +47,8 @@ void moveToFront(std::vector<Value>& values, std::size_t from, std::size_t count
 }  // namespace
 
 PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
-                            const OdometryConfig& config, double seconds_since_previous) {
+                            const OdometryConfig& config, double seconds_since_previous,
+                            const SweepMotion* sweep) {
   PreprocessedScan result;
   result.deskewed = config.deskew && !scan.times.empty();
   const bool has_fractions = result.deskewed && seconds_since_previous > 0.0;
@@ -59,7 +60,9 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   const Chunks chunks(scan.points.size(), 8192);
   std::vector<ChunkCount> counts(chunks.size());
   chunks.forEach([&](std::size_t index, Chunk chunk) {
-    counts[index] = preprocessChunk(scan, motion, fraction_per_second, config, chunk, result);
+    counts[index] = result.deskewed && sweep != nullptr
+                        ? preprocessChunk(scan, sweep, fraction_per_second, config, chunk, result)
+                        : preprocessChunk(scan, motion, fraction_per_second, config, chunk, result);
   });
 
   std::size_t kept = 0;  // close the gaps between the chunks

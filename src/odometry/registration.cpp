@@ -63,17 +63,38 @@ NormalEquations linearise(const Source& source, const LocalVoxelMap& map, const 
   return sum;
 }
 
+/// The predicted pose, and its weight in units of those of the matches.
+struct Prediction {
+  const Pose& T_odom_base;
+  Matrix6 weight;
+};
+
+/// Without a covariance the weight is that of the configuration, in deskewed scans.
+Prediction predictionOf(const Pose& T_odom_predicted, const std::optional<Matrix6>& covariance,
+                        bool deskewed, const RegistrationConfig& config) {
+  Matrix6 weight = Matrix6::Zero();
+  if (covariance) {
+    weight = kMatchVariance * covariance->inverse();
+  } else if (deskewed) {
+    weight.diagonal().setConstant(config.prediction_weight);
+  }
+  return {T_odom_predicted, weight};
+}
+
 /// Moves the pose, and with sweep fractions the deskew correction. @return the step.
 Tangent takeStep(const NormalEquations& equations, const Source& source,
-                 const Pose& T_odom_predicted, const RegistrationConfig& config,
+                 const Prediction& prediction, const RegistrationConfig& config,
                  RegistrationResult& result) {
+  const auto deviation = [&] { return log(prediction.T_odom_base.inverse() * result.T_odom_base); };
   if (source.sweep_fractions.empty()) {
-    const Tangent step = equations.H().ldlt().solve(-equations.g());
+    const Matrix6 H = equations.H() + prediction.weight;
+    const Tangent g = equations.g() + prediction.weight * deviation();
+    const Tangent step = H.ldlt().solve(-g);
     result.T_odom_base = boxplus(result.T_odom_base, step);
     return step;
   }
-  const auto deviation = [&] { return log(T_odom_predicted.inverse() * result.T_odom_base); };
-  const DeskewedStep deskewed = deskewedStep(equations, deviation(), source.mean_fraction, config);
+  const DeskewedStep deskewed =
+      deskewedStep(equations, deviation(), prediction.weight, source.mean_fraction, config);
   result.T_odom_base = boxplus(result.T_odom_base, deskewed.step);
   result.deskew_correction = deskewed.correction_per_deviation * deviation();
   return deskewed.step;
@@ -91,7 +112,8 @@ void stayAt(const Pose& T_odom_predicted, RegistrationResult& result) {
 RegistrationResult Registration::align(const Points& points_base,
                                        const std::vector<float>& sweep_fractions,
                                        const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                                       double initial_sigma, const RingSpacing& rings) {
+                                       double initial_sigma, const RingSpacing& rings,
+                                       const std::optional<Matrix6>& prediction_covariance) {
   RegistrationResult result;
   result.T_odom_base = T_odom_predicted;
   if (map.empty()) return result;
@@ -99,6 +121,8 @@ RegistrationResult Registration::align(const Points& points_base,
   for (const Eigen::Vector3f& point : points_base)
     across_.push_back(rings.at(point.cast<double>(), map.pointSpacing()));
   const Source source{points_base, sweep_fractions, across_, mean(sweep_fractions)};
+  const Prediction prediction =
+      predictionOf(T_odom_predicted, prediction_covariance, !sweep_fractions.empty(), config_);
   AnnealedSigma sigma(initial_sigma, config_);
   matches_.assign(points_base.size(), CachedMatch{});
   result.outcome = RegistrationOutcome::max_iterations;
@@ -116,7 +140,7 @@ RegistrationResult Registration::align(const Points& points_base,
     result.explained =
         static_cast<double>(equations.explained()) / static_cast<double>(points_base.size());
     result.information = equations.H() / kMatchVariance;
-    const Tangent step = takeStep(equations, source, T_odom_predicted, config_, result);
+    const Tangent step = takeStep(equations, source, prediction, config_, result);
     ++result.iterations;
     if (sigma.hasConverged(step.norm())) {
       result.outcome = RegistrationOutcome::converged;

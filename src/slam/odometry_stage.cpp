@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "revisit_slam/odometry/fused_motion_predictor.h"
+
 namespace revisit_slam {
 
 namespace {
@@ -16,10 +18,15 @@ std::string describeVoxels(const RegisteredScan& scan) {
   return text.str();
 }
 
+void putFirst(const std::string& text, std::string& notice) {
+  notice = notice.empty() ? text : text + "; " + notice;
+}
+
 }  // namespace
 
 OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
     : config_(config.odometry),
+      priors_config_(config.priors),
       rest_interval_(config.mapping.rest_interval),
       with_information_(config.information.enabled),
       session_(first),
@@ -27,9 +34,17 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       arena_(config.odometry.threads),
       assembler_(config.input),
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
-      odometry_(config.odometry),
+      priors_(config.priors),
+      odometry_(makeOdometry()),
       rest_(config.mapping.rest_interval),
       voxel_size_(config.odometry.map.voxel_size) {}
+
+Odometry OdometryStage::makeOdometry() {
+  auto predictor = std::make_unique<ConstantVelocityPredictor>(config_);
+  if (!priors_.isConnected()) return Odometry(config_, std::move(predictor));
+  return Odometry(config_, std::make_unique<FusedMotionPredictor>(config_, std::move(predictor),
+                                                                  priors_config_, priors_));
+}
 
 std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   ++account_.received;
@@ -43,10 +58,18 @@ std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
   return results;
 }
 
+std::vector<OdometryStage::Result> OdometryStage::takeMotion(const MotionReading& reading) {
+  priors_.take(reading);
+  std::vector<Result> results;
+  release(false, results);
+  return results;
+}
+
 std::vector<OdometryStage::Result> OdometryStage::flush() {
   std::vector<Result> results;
   process(assembler_.flush(), results);
   process(gate_.flush(), results);
+  release(true, results);
   return results;
 }
 
@@ -62,28 +85,56 @@ void OdometryStage::process(std::vector<SweepAssembler::Sweep> sweeps,
   }
   if (results.empty() || assembler_.description() == said_sweep_form_) return;
   said_sweep_form_ = assembler_.description();
-  std::string& notice = results.front().notice;
-  notice = notice.empty() ? said_sweep_form_ : said_sweep_form_ + "; " + notice;
+  putFirst(said_sweep_form_, results.front().notice);
 }
 
 void OdometryStage::process(std::vector<StampGate::Decision> decisions,
                             std::vector<Result>& results) {
   for (StampGate::Decision& decision : decisions) {
-    if (!decision.refusal.empty()) {
+    if (decision.refusal.empty()) {
+      waiting_.push_back(std::move(decision));
+      release(false, results);
+    } else {
       results.push_back(reject(decision.refusal));
-      continue;
     }
-    if (decision.went_back) beginSession();
-    try {
-      results.push_back(registerScan(std::move(decision.reading)));
-    } catch (const std::exception& error) {  // those before it are registered, and go on
-      results.push_back(reject("error", error.what()));
-    }
-    if (decision.went_back)
-      results.back().notice = "the stamps went back by " + std::to_string(*decision.went_back) +
-                              " s: a new session begins" +
-                              (results.back().notice.empty() ? "" : "; " + results.back().notice);
   }
+}
+
+void OdometryStage::release(bool all, std::vector<Result>& results) {
+  while (!waiting_.empty() && mayGoOn(all)) results.push_back(registerNext());
+}
+
+/// Whether the first scan that waits has all measured motion that it may expect.
+bool OdometryStage::mayGoOn(bool all) {
+  const Stamp stamp = waiting_.front().reading.scan->stamp;
+  if (priors_.reach(stamp)) return true;
+  const StampGate::Decision& last = waiting_.back();
+  const bool of_another_clock = last.reading.scan->stamp < stamp;
+  const double ahead = secondsBetween(stamp, last.reading.scan->stamp);
+  if (!all && !of_another_clock && ahead < priors_config_.max_wait) return false;
+  if (!all && !of_another_clock) silence_ = priors_.giveUp(stamp);
+  return true;
+}
+
+OdometryStage::Result OdometryStage::registerNext() {
+  StampGate::Decision decision = std::move(waiting_.front());
+  waiting_.pop_front();
+  if (decision.went_back) beginSession();
+  Result result;
+  try {
+    result = registerScan(std::move(decision.reading));
+  } catch (const std::exception& error) {  // those before it are registered, and go on
+    result = reject("error", error.what());
+  }
+  if (!silence_.empty())
+    putFirst(
+        "no messages of " + std::exchange(silence_, "") + ": scans do not wait for them any longer",
+        result.notice);
+  if (decision.went_back)
+    putFirst("the stamps went back by " + std::to_string(*decision.went_back) +
+                 " s: a new session begins",
+             result.notice);
+  return result;
 }
 
 OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
@@ -134,6 +185,7 @@ void OdometryStage::countDropped(const std::string& reason) {
 }
 
 void OdometryStage::startSession() {
+  waiting_.clear();
   beginSession();
   assembler_.restart();
   said_sweep_form_.clear();
@@ -143,7 +195,8 @@ void OdometryStage::startSession() {
 
 void OdometryStage::beginSession() {
   ++session_.value;
-  odometry_ = Odometry(config_);
+  priors_.restart();
+  odometry_ = makeOdometry();
   rest_ = RestDetector(rest_interval_);
   ids_ = 0;
   voxel_size_ = config_.map.voxel_size;

@@ -53,6 +53,10 @@ void Slam::insert(ScanReading reading, const StageTimes& times) {
     take(result, times);
 }
 
+void Slam::insert(const MotionReading& reading) {
+  for (const OdometryStage::Result& result : odometry_.takeMotion(reading)) take(result, {});
+}
+
 void Slam::take(const OdometryStage::Result& result, StageTimes times) {
   if (!result.notice.empty()) observer_.onNotice(result.notice);
   if (!result.output.scan) return observer_.onRejection(result.rejection);

@@ -42,9 +42,10 @@ struct DeskewedStep {
   Matrix6 correction_per_deviation;
 };
 
-/// prediction_weight |d|^2 is added to the objective. `deviation`: d before the step.
+/// d' prediction_weight d is added to the objective. `deviation`: d before the step.
 DeskewedStep deskewedStep(const NormalEquations& equations, const Tangent& deviation,
-                          double mean_sweep_fraction, const RegistrationConfig& config);
+                          const Matrix6& prediction_weight, double mean_sweep_fraction,
+                          const RegistrationConfig& config);
 
 /// Deskews points anew where the motion that they were deskewed with missed `correction` ([m; rad],
 /// small, in the base frame at the stamp) of the motion since the previous scan.

@@ -5,6 +5,7 @@
 
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/sweep_motion.h"
 #include "revisit_slam/odometry/velocity_filter.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/se3.h"
@@ -21,12 +22,16 @@ struct PredictedMotion {
   /// What the scan is deskewed with. Without a gap T_previous_base is velocity.after(seconds): the
   /// deskew correction takes times as fractions of that.
   ConstantMotion velocity;
+  /// Instead, where the motion within the sweep was measured as well.
+  std::optional<SweepMotion> sweep;
   /// From the previous scan, in whole, however far the motion is extrapolated; 0: there is none.
   double seconds = 0.0;
   /// Whether motion was seen before, and lately: what the prediction misses then says something
   /// about the motion. False at the first two scans and after a long gap.
   bool is_known = false;
   bool is_after_gap = false;  ///< too long since the previous scan to extrapolate all of it
+  bool is_measured =
+      false;  ///< by wheels, for one: what it misses is not an error of extrapolation
 };
 
 /// Predicts the motion of the base from scan to scan. Constant velocity is one way; wheels or a

@@ -71,7 +71,7 @@ class Odometry {
     Pose T_odom_base;
     Pose deviation;       ///< T_predicted_base
     Matrix6 information;  ///< of the registration alone
-    bool is_after_gap;
+    bool enters_threshold;
     double explained;
     PoseVerdict verdict;
     double reach;  ///< m, see VoxelScale
@@ -80,6 +80,7 @@ class Odometry {
   LocalVoxelMap emptyMap(double voxel_size) const;
   void chooseScale(RegisteredScan& registered);
   void followScale(const Aligned& aligned);
+  double sigmaFor(const PredictedMotion& predicted) const;
   void downsample(RegisteredScan& registered);
   void recover(const PredictedMotion& predicted, const RingSpacing& rings,
                RegisteredScan& registered);

@@ -5,6 +5,7 @@
 
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/sweep_motion.h"
 #include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
@@ -21,9 +22,11 @@ struct PreprocessedScan {
 };
 
 /// Drops points out of range of the sensor, expresses the others in the base frame and moves each
-/// to where it would have been seen at the scan's stamp, had the base moved with `motion_base`.
+/// to where it would have been seen at the scan's stamp, had the base moved with `motion_base`, or
+/// with `sweep` where that is given.
 /// `seconds_since_previous`: scan; 0: there is none that times could be related to.
 PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
-                            const OdometryConfig& config, double seconds_since_previous = 0.0);
+                            const OdometryConfig& config, double seconds_since_previous = 0.0,
+                            const SweepMotion* sweep = nullptr);
 
 }  // namespace revisit_slam

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "revisit_slam/icp/cached_match.h"
@@ -11,6 +12,7 @@
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/registration_result.h"
 #include "revisit_slam/types/scan.h"
+#include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 
@@ -29,11 +31,13 @@ class Registration {
   }
 
   /// `sweep_fractions`: one for each point, or none; T_odom_predicted is then the first guess
-  /// alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. Runs in the
-  /// current TBB arena; the same bits for any number of threads.
+  /// alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. With
+  /// `prediction_covariance`, of Log(T_odom_predicted^-1 T_odom_true), the prediction is weighed by
+  /// it in any case. Runs in the current TBB arena; the same bits for any number of threads.
   RegistrationResult align(const Points& points_base, const std::vector<float>& sweep_fractions,
                            const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                           double initial_sigma, const RingSpacing& rings = {});
+                           double initial_sigma, const RingSpacing& rings = {},
+                           const std::optional<Matrix6>& prediction_covariance = {});
 
  private:
   RegistrationConfig config_;

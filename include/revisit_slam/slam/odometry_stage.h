@@ -3,6 +3,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "revisit_slam/input/scan_reading.h"
 #include "revisit_slam/input/sweep_assembler.h"
 #include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/stamp_gate.h"
@@ -28,7 +30,9 @@ struct OdometryOutput {
 
 /// From readings to registered scans that carry their registration problem, with an account of
 /// everything that was dropped. Readings that hold a part of a sweep are joined first. A clock that
-/// was set back begins a session by itself.
+/// was set back begins a session by itself. Where motion is measured outside, a scan waits until
+/// its readings have come, or a later scan is ahead of it by priors/max_wait: what a scan is
+/// predicted with depends on stamps, not on who comes first.
 class OdometryStage {
  public:
   /// Sessions count from `first`.
@@ -43,11 +47,17 @@ class OdometryStage {
 
   /// What became of the reading, and of those before that had to wait for it: none, one or more.
   std::vector<Result> process(ScanReading reading);
-  /// What became of readings that wait to be confirmed, as no further one comes.
+  /// What became of the scans that waited for this reading.
+  std::vector<Result> takeMotion(const MotionReading& reading);
+  /// What became of readings that wait, as no further one comes.
   std::vector<Result> flush();
 
   /// Counts a message that never became a reading. A gap in the stamps is no wonder then.
   void countDropped(const std::string& reason);
+  /// Likewise of one that measures motion, by MotionPriors' name of its sensor.
+  void countDroppedMotion(const std::string& sensor, const std::string& reason) {
+    priors_.countDropped(sensor, reason);
+  }
 
   /// The next scan is the first of another session, in an odometry frame of its own; the account
   /// begins anew.
@@ -57,14 +67,19 @@ class OdometryStage {
 
   /// Since startSession().
   const ScanAccount& account() const { return account_; }
-  /// Readings that wait for the next.
-  std::size_t held() const { return assembler_.held() + gate_.held(); }
+  const MotionPriors& priors() const { return priors_; }
+  /// Readings that wait for the next, or for measured motion.
+  std::size_t held() const { return assembler_.held() + gate_.held() + waiting_.size(); }
   /// What is unusual about the messages; empty where nothing is.
   const std::string& sweepForm() const { return assembler_.description(); }
 
  private:
   void process(std::vector<SweepAssembler::Sweep> sweeps, std::vector<Result>& results);
   void process(std::vector<StampGate::Decision> decisions, std::vector<Result>& results);
+  void release(bool all, std::vector<Result>& results);
+  bool mayGoOn(bool all);
+  Result registerNext();
+  Odometry makeOdometry();
   Result registerScan(ScanReading reading);
   void beginSession();
   ScanId idOf(const RegisteredScan& scan);
@@ -72,6 +87,7 @@ class OdometryStage {
   std::shared_ptr<const RegistrationProblem> gather(const RegisteredScan& scan) const;
 
   OdometryConfig config_;
+  const PriorsConfig priors_config_;
   const double rest_interval_;
   const bool with_information_;
   SessionId session_;
@@ -80,10 +96,13 @@ class OdometryStage {
   SweepAssembler assembler_;
   std::string said_sweep_form_;
   StampGate gate_;
+  MotionPriors priors_;
   Odometry odometry_;
   RestDetector rest_;
-  std::uint32_t ids_ = 0;  // given in the session
-  double voxel_size_;      // m, of the scan before
+  std::uint32_t ids_ = 0;                    // given in the session
+  double voxel_size_;                        // m, of the scan before
+  std::deque<StampGate::Decision> waiting_;  // to be registered
+  std::string silence_;                      // sensors that were given up for the next scan
   ScanAccount account_;
 };
 

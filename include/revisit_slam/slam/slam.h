@@ -24,16 +24,22 @@ class Slam {
 
   /// `times`: what the reading took, for the observer.
   void insert(ScanReading reading, const StageTimes& times = {});
+  /// Motion that was measured outside (OdometryStage).
+  void insert(const MotionReading& reading);
   /// A scan that has its information already.
   void insert(const InformedScan& informed);
   /// Counts a message that never became a reading.
   void countDropped(const std::string& reason) { odometry_.countDropped(reason); }
+  void countDroppedMotion(const std::string& sensor, const std::string& reason) {
+    odometry_.countDroppedMotion(sensor, reason);
+  }
 
   /// Closes the open maps, searches and optimises a last time, and waits for the end of it.
   /// @throws what the background has thrown.
   void finish();
 
   const ScanAccount& account() const { return odometry_.account(); }
+  const MotionPriors& priors() const { return odometry_.priors(); }
   /// After finish(): the last; null without scans.
   GraphSession* session() { return back_end_.session(); }
   const GraphSession* session() const { return back_end_.session(); }

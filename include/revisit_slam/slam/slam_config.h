@@ -9,6 +9,7 @@
 #include "revisit_slam/occupancy/occupancy_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/pose_graph/back_end_config.h"
+#include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/slam/background_config.h"
 #include "revisit_slam/util/parameters.h"
 
@@ -36,6 +37,7 @@ struct LiveConfig {
   double diagnostics_period = 1.0;
   std::string folder;
   bool broadcast_map = true;
+  bool broadcast_odom = true;
   double transform_rate = 20.0;
   double transform_tolerance = 0.1;
   double transform_patience = 10.0;
@@ -55,6 +57,9 @@ struct LiveConfig {
     v("broadcast_map", broadcast_map,
       "true: the transform from map to odometry frame is broadcast; false: another node has to do "
       "so");
+    v("broadcast_odom", broadcast_odom,
+      "true: the transform from odometry to base frame is broadcast; false: the robot does so, and "
+      "the map frame is placed against its odometry");
     v("transform_rate", transform_rate, Range{0.1, 1000.0}, "Hz",
       "rate at which the transform from map to odometry frame is broadcast. Raise it if "
       "transforms are missed between broadcasts; lower it to reduce traffic");
@@ -73,6 +78,7 @@ struct LiveConfig {
 struct SlamConfig {
   FramesConfig frames;
   ScanInputConfig input;
+  PriorsConfig priors;
   OdometryConfig odometry;
   InformationConfig information;
   MappingConfig mapping;
@@ -87,6 +93,7 @@ struct SlamConfig {
   void visit(Visitor& v) {
     v.group("frames", frames);
     v.group("input", input);
+    v.group("priors", priors);
     v.group("odometry", odometry);
     v.group("information", information);
     v.group("mapping", mapping);
@@ -98,5 +105,11 @@ struct SlamConfig {
     v.group("live", live);
   }
 };
+
+/// The frame of the poses of the odometry in messages. Where the robot broadcasts an odometry of
+/// its own, that is another frame.
+inline std::string ownOdomFrame(const SlamConfig& config) {
+  return config.frames.odom + (config.live.broadcast_odom ? "" : "_slam");
+}
 
 }  // namespace revisit_slam

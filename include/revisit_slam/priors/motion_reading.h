@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/se3.h"
+#include "revisit_slam/types/stamp.h"
+
+namespace revisit_slam {
+
+/// What an odometry of the robot says, of the base.
+struct OdometryReading {
+  Stamp stamp;
+  Pose T_world_base;  ///< in a world of its own; only differences are used
+  /// Of its velocity, [m/s; rad/s] in the base frame; none: not known.
+  std::optional<Matrix6> velocity_covariance;
+  /// It knows neither height nor tilt.
+  bool is_planar = false;
+};
+
+/// What an inertial unit measures, in the axes of the base.
+struct ImuReading {
+  Stamp stamp;
+  Eigen::Vector3d turn_rate = Eigen::Vector3d::Zero();  ///< rad/s
+  /// Of a turn rate, (rad/s)^2, mean of the axes; none: not known.
+  std::optional<double> turn_rate_variance;
+};
+
+using MotionReading = std::variant<OdometryReading, ImuReading>;
+
+/// A motion of the base that was measured.
+struct MeasuredMotion {
+  Pose T_from_to;  ///< the base at the end, in its frame at the begin
+  /// Of Log(T_measured^-1 T_true), [m; rad]; kUnmeasured where nothing was.
+  Matrix6 covariance = Matrix6::Identity();
+};
+
+/// A variance that says nothing, as drivers write it, too.
+constexpr double kUnmeasured = 1e6;
+
+}  // namespace revisit_slam

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace revisit_slam {
+
+/// What became of the messages of one sensor, and of the scans that it should have served.
+struct PriorAccount {
+  std::size_t received = 0;                    ///< messages
+  std::map<std::string, std::size_t> dropped;  ///< messages, by reason
+  std::size_t used = 0;                        ///< scans whose prediction it entered
+  std::size_t rejected = 0;                    ///< scans where it disagreed beyond the gate
+  std::size_t missing = 0;                     ///< scans for which it had no readings
+  bool is_silent = false;  ///< scans do not wait for it: its messages did not come in time
+};
+
+}  // namespace revisit_slam

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "revisit_slam/util/parameters.h"
+
+namespace revisit_slam {
+
+/// Errors of an odometry whose messages do not tell, as in the odometry motion model (Thrun et al.,
+/// Probabilistic Robotics, Sec. 5.4): standard deviations that grow with what was travelled.
+struct OdometryNoiseConfig {
+  double translation_per_metre = 0.02;
+  double translation_per_radian = 0.05;
+  double rotation_per_metre = 0.002;
+  double rotation_per_radian = 0.03;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("translation_per_metre", translation_per_metre, Range{1e-4, 1.0}, "",
+      "error in metres of each metre travelled, where messages bear no covariance. Raise it if "
+      "wheels slip; lower it if the pose drifts along in bare surroundings");
+    v("translation_per_radian", translation_per_radian, Range{0.0, 10.0}, "m/rad",
+      "error in metres of each radian turned, where messages bear no covariance. Raise it if "
+      "wheels skid in turns; lower it if the pose slips in turns");
+    v("rotation_per_metre", rotation_per_metre, Range{1e-5, 1.0}, "rad/m",
+      "error in radians of each metre travelled, where messages bear no covariance. Raise it if "
+      "wheels are worn unequally; lower it if the heading drifts in bare surroundings");
+    v("rotation_per_radian", rotation_per_radian, Range{0.0, 1.0}, "",
+      "error in radians of each radian turned, where messages bear no covariance. Raise it if "
+      "wheels skid in turns; lower it if the heading slips in turns");
+  }
+};
+
+struct GyroNoiseConfig {
+  double noise_density = 5e-4;
+  double initial_bias = 0.02;
+  double bias_walk = 1e-4;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("noise_density", noise_density, Range{1e-7, 1.0}, "rad/s/sqrt(Hz)",
+      "noise of the turn rates, where messages bear no covariance. Raise it if vibrations disturb "
+      "the gyro; lower it to the value of its data sheet");
+    v("initial_bias", initial_bias, Range{0.0, 1.0}, "rad/s",
+      "standard deviation of the bias at the start, on each axis. Raise it if the gyro is rejected "
+      "at the start; lower it if the gyro is calibrated");
+    v("bias_walk", bias_walk, Range{0.0, 0.1}, "rad/s/sqrt(s)",
+      "change of the bias with time. Raise it if the gyro warms up; lower it if the bias is noisy");
+  }
+};
+
+/// Motion that is measured outside: wheels, an inertial unit. Off where no topic is named.
+struct PriorsConfig {
+  std::string odometry_topic;
+  std::string odometry_frame;
+  std::string imu_topic;
+  double max_wait = 0.5;
+  double max_gap = 0.25;
+  double gate = 4.0;
+  OdometryNoiseConfig odometry;
+  GyroNoiseConfig gyro;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("odometry_topic", odometry_topic, Choices{}, "",
+      "topic of an odometry of the robot, nav_msgs/Odometry, live and in bags; empty: none");
+    v("odometry_frame", odometry_frame, Choices{}, "",
+      "name of a frame in which the base frame is moved by TF, as by an odometry of the robot; "
+      "instead of odometry_topic; empty: none");
+    v("imu_topic", imu_topic, Choices{}, "",
+      "topic of an inertial unit, sensor_msgs/Imu, live and in bags; empty: none");
+    v("max_wait", max_wait, Range{0.0, 10.0}, "s",
+      "time by which a later scan may be ahead of a scan that waits for messages of odometry and "
+      "inertial unit; then the scan goes on without. Raise it if messages come late; lower it if "
+      "poses must not");
+    v("max_gap", max_gap, Range{0.001, 10.0}, "s",
+      "longest time between two messages over which is interpolated. Raise it for slow topics; "
+      "lower it if messages get lost in fast motion");
+    v("gate", gate, Range{1.0, 100.0}, "",
+      "number of standard deviations by which measured and predicted motion may differ; beyond it "
+      "the measured motion is rejected. Raise it if good measurements are rejected; lower it if "
+      "slipping wheels pull the pose");
+    v.group("odometry", odometry);
+    v.group("gyro", gyro);
+  }
+};
+
+}  // namespace revisit_slam

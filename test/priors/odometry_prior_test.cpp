@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/priors/odometry_prior.h"
+
+#include <gtest/gtest.h>
+
+#include "support/measured_motion.h"
+
+namespace revisit_slam {
+namespace {
+
+const Stamp kStart = Stamp::fromSeconds(1000.0);
+const Tangent kVelocity = (Tangent() << 5.0, 0.1, 0.0, 0.0, 0.02, 0.4).finished();
+
+OdometryPrior priorUntil(double end, double step = 0.1) {
+  OdometryPrior prior{PriorsConfig{}};
+  for (double t = 0.0; t < end + 1e-9; t += step)
+    prior.readings().take(odometryAt(kStart, t, kVelocity));
+  return prior;
+}
+
+TEST(OdometryPrior, InterpolatesBetweenItsReadings) {
+  const auto motion = priorUntil(1.0).motion(kStart.plusSeconds(0.23), kStart.plusSeconds(0.37));
+  ASSERT_TRUE(motion);
+  EXPECT_LT(log(motion->T_from_to.inverse() * exp(0.14 * kVelocity)).norm(), 1e-9);
+}
+
+TEST(OdometryPrior, TellsNothingBeforeBetweenAndAfterReadingsThatAreFarApart) {
+  const OdometryPrior sparse = priorUntil(1.0, 0.5);  // more than max_gap apart
+  EXPECT_FALSE(sparse.motion(kStart, kStart.plusSeconds(0.3)));
+  EXPECT_TRUE(sparse.motion(kStart, kStart.plusSeconds(0.5)));  // just then
+  const OdometryPrior dense = priorUntil(1.0);
+  EXPECT_FALSE(dense.motion(kStart.plusSeconds(-0.1), kStart.plusSeconds(0.3)));
+  EXPECT_FALSE(dense.motion(kStart.plusSeconds(0.8), kStart.plusSeconds(1.05)));
+}
+
+TEST(OdometryPrior, WithoutCovarianceTheErrorGrowsWithWhatWasTravelled) {
+  const OdometryPrior prior = priorUntil(1.0);
+  const auto sigma = [&](double seconds, Eigen::Index axis) {
+    return std::sqrt(prior.motion(kStart, kStart.plusSeconds(seconds))->covariance(axis, axis));
+  };
+  EXPECT_NEAR(sigma(1.0, 0), 0.02 * 5.0, 0.01);
+  EXPECT_GT(sigma(1.0, 5), 0.002 * 5.0);
+  EXPECT_NEAR(sigma(1.0, 0) / sigma(0.5, 0), 2.0, 0.05);
+}
+
+TEST(OdometryPrior, ACovarianceOfTheVelocityIsTaken) {
+  OdometryPrior prior = priorUntil(0.0);
+  OdometryReading reading = odometryAt(kStart, 0.1, kVelocity);
+  Matrix6 covariance = Matrix6::Zero();
+  covariance.diagonal() << 0.25, 0.01, kUnmeasured, kUnmeasured, kUnmeasured, 0.04;
+  reading.velocity_covariance = covariance;
+  prior.readings().take(reading);
+  const Matrix6 of_motion = prior.motion(kStart, reading.stamp)->covariance;
+  EXPECT_NEAR(std::sqrt(of_motion(0, 0)), 0.05, 1e-3);
+  EXPECT_NEAR(std::sqrt(of_motion(5, 5)), 0.02, 1e-3);
+  EXPECT_GT(of_motion(3, 3), 1e3);
+}
+
+TEST(OdometryPrior, APlanarOneTellsNothingOfHeightAndTilt) {
+  OdometryPrior prior = priorUntil(0.0);
+  OdometryReading reading = odometryAt(kStart, 0.1, kVelocity);
+  reading.is_planar = true;
+  prior.readings().take(reading);
+  const Matrix6 covariance = prior.motion(kStart, reading.stamp)->covariance;
+  for (const int axis : {2, 3, 4}) EXPECT_GE(covariance(axis, axis), kUnmeasured);
+  for (const int axis : {0, 1, 5}) EXPECT_LT(covariance(axis, axis), 0.1);
+}
+
+TEST(OdometryPrior, AStandstillIsNotKnownExactly) {
+  OdometryPrior prior{PriorsConfig{}};
+  for (const double t : {0.0, 0.1}) prior.readings().take(odometryAt(kStart, t, Tangent::Zero()));
+  const auto motion = prior.motion(kStart, kStart.plusSeconds(0.1));
+  EXPECT_GT(motion->covariance.diagonal().minCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace revisit_slam
