@@ -8,6 +8,7 @@
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/presets.h"
+#include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/slam/renamed_parameters.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
@@ -40,8 +41,12 @@ SlamConfig readConfig(const Options& options) {
   return config;
 }
 
-std::unique_ptr<ScanSource> openSource(const Options& options) {
-  if (options.dataset.empty()) return openBags(options.bags, options.topic);
+std::unique_ptr<ScanSource> openSource(const Options& options, const PriorsConfig& priors) {
+  if (options.dataset.empty()) return openBags(options.bags, options.topic, priors);
+  if (MotionPriors(priors).isConnected())
+    throw ParameterError(
+        "priors/…_topic and priors/odometry_frame name topics of bags: datasets "
+        "have none");
   return openDatasetSource(options.dataset.front(), options.dataset.back());
 }
 
@@ -85,8 +90,8 @@ int main(int argc, char** argv) {
   try {
     options = revisit_slam::parseOptions(app, argc, argv);
     const revisit_slam::SlamConfig config = revisit_slam::readConfig(options);
-    revisit_slam::OfflineRun run(config, revisit_slam::openSource(options), options.out,
-                                 options.max_scans, options.quiet);
+    revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config.priors),
+                                 options.out, options.max_scans, options.quiet);
     has_begun = true;
     const bool is_whole = run.run();
     if (revisit_slam::interruption() != 0) return 128 + revisit_slam::interruption();

@@ -35,6 +35,16 @@ json statistics(const std::map<std::string, std::vector<float>>& stage_ms) {
   return all;
 }
 
+json toJson(const std::map<std::string, PriorAccount>& priors) {
+  json all = json::object();
+  for (const auto& [sensor, account] : priors)
+    all[sensor] = {
+        {"messages", {{"received", account.received}, {"dropped", account.dropped}}},
+        {"scans",
+         {{"used", account.used}, {"rejected", account.rejected}, {"missing", account.missing}}}};
+  return all;
+}
+
 }  // namespace
 
 RunFolder::RunFolder(const std::string& path)
@@ -133,7 +143,7 @@ void writeRunSummary(const std::string& path, const RunSummary& summary,
       {"interrupted", summary.interrupted},
       {"topic", summary.topic},
       {"tracked_frame", summary.tracked_frame},
-      {"parameters", toJson(summary.parameters)},
+      {"parameters", revisit_slam::toJson(summary.parameters)},
       {"scans",
        {{"received", account.received},
         {"processed", account.processed},
@@ -141,6 +151,7 @@ void writeRunSummary(const std::string& path, const RunSummary& summary,
         {"joined", account.joined},
         {"dropped", account.dropped}}},
       {"poses", verdicts},
+      {"priors", toJson(summary.priors)},
       {"points", {{"received", account.points_received}, {"dropped", account.points_dropped}}},
       {"time_source", summary.time_source},
       {"path_length_m", summary.path_length},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bags that cannot be used: the offline program says what is wrong and what to do.
 #include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
 
 #include <filesystem>
 
@@ -25,6 +26,23 @@ TEST(OfflineBags, missingTopicListsTheTopicsWithScans) {
   const OfflineProgram run(bag, {"--topic", "/points"});
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(contains(run.output, "no topic '/points'; topics with scans: /front/points"));
+}
+
+TEST(OfflineBags, missingTopicOfMotionListsTheTopicsOfItsType) {
+  const TemporaryFolder folder;
+  const std::string bag = folder.file("drive.bag");
+  writeScanBag(bag, toClouds(driveInRoom(1)));
+  {
+    rosbag::Bag more(bag, rosbag::bagmode::Append);
+    nav_msgs::Odometry odometry;
+    odometry.header.stamp = ros::Time(1.0);
+    more.write("/wheels", odometry.header.stamp, odometry);
+  }
+  const OfflineProgram run(bag, {"--set", "priors/odometry_topic=/odom"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(contains(run.output,
+                       "no topic '/odom' of type nav_msgs/Odometry, which "
+                       "priors/odometry_topic needs; topics of this type: /wheels"));
 }
 
 TEST(OfflineBags, bagCutOffAsksForReindexing) {

@@ -10,6 +10,7 @@
 #include "revisit_slam/io/folder_lock.h"
 #include "revisit_slam/io/growing_file.h"
 #include "revisit_slam/io/trajectory.h"
+#include "revisit_slam/priors/prior_account.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
 #include "revisit_slam/types/travelled_distance.h"
@@ -23,6 +24,7 @@ struct RunSummary {
   std::vector<Parameter> parameters;
   ScanAccount account;
   std::map<PoseVerdict, std::size_t> verdicts;
+  std::map<std::string, PriorAccount> priors;  ///< by sensor
   std::string topic;
   std::string tracked_frame;
   std::string time_source;

@@ -17,6 +17,11 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       source_(std::move(source)),
       folder_(folder),
       reader_(config.input),
+      motion_reader_(config.priors,
+                     [this](const std::string& frame) -> std::optional<Pose> {
+                       if (frame == tracked_frame_) return Pose::identity();
+                       return source_->findExtrinsics(tracked_frame_, frame);
+                     }),
       total_(max_scans > 0 ? std::min(max_scans, source_->size()) : source_->size()),
       progress_("mapping", "scans", total_, quiet),
       executor_(config.background),
@@ -29,6 +34,7 @@ bool OfflineRun::run() {
   const bool all_read = processAll();
   finishMaps();
   progress_.finish();
+  sayPriors();
   writeResults();
   return all_read;
 }
@@ -54,9 +60,14 @@ bool OfflineRun::processAll() {
   double cpu_before_reading = threadCpuSeconds();
   const std::string damage = source_->forEach([&](const ScanMessage& message) {
     reading_cpu_seconds_ += threadCpuSeconds() - cpu_before_reading;
-    if (done == total_ || interruption() != 0) return false;
-    process(message);
-    progress_.update(++done);
+    const auto* motion = std::get_if<MotionMessage>(&message);
+    if (interruption() != 0 || (motion == nullptr && done == total_)) return false;
+    if (motion != nullptr) {
+      process(*motion);
+    } else {
+      process(message);
+      progress_.update(++done);
+    }
     cpu_before_reading = threadCpuSeconds();
     return true;
   });
@@ -78,6 +89,25 @@ void OfflineRun::process(const ScanMessage& message) {
     insert(reader_.read(*cloud), clock);
   } else {
     insert(reader_.read(*std::get<topic_tools::ShapeShifter::ConstPtr>(message)), clock);
+  }
+}
+
+void OfflineRun::process(const MotionMessage& message) {
+  const std::optional<MotionReader::Result> result = motion_reader_.read(message);
+  if (!result) return;
+  if (!result->reading) return slam_.countDroppedMotion(result->sensor, result->rejection);
+  slam_.insert(*result->reading);
+}
+
+void OfflineRun::sayPriors() {
+  for (const auto& [sensor, account] : slam_.priors().accounts()) {
+    std::string line = sensor + ": " + std::to_string(account.received) + " messages; entered " +
+                       std::to_string(account.used) + " scans, rejected in " +
+                       std::to_string(account.rejected) + ", missing in " +
+                       std::to_string(account.missing);
+    for (const auto& [reason, count] : account.dropped)
+      line += "; dropped " + std::to_string(count) + ": " + reason;
+    progress_.say(line);
   }
 }
 
@@ -166,6 +196,7 @@ void OfflineRun::writeResults() {
   summary.parameters = parametersOf(config_);
   summary.account = account;
   summary.interrupted = interruption() != 0;
+  summary.priors = slam_.priors().accounts();
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
   summary.time_source = reader_.description();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/ros/input/motion_reader.h"
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/input/scan_source.h"
 #include "revisit_slam/session/run_folder.h"
@@ -30,6 +31,8 @@ class OfflineRun : private SlamObserver {
   void placeSensor();
   bool processAll();
   void process(const ScanMessage& message);
+  void process(const MotionMessage& message);
+  void sayPriors();
   void insert(ScanReading reading, StageClock clock);
   void finishMaps();
   void sayTimeSource();
@@ -60,6 +63,7 @@ class OfflineRun : private SlamObserver {
   std::unique_ptr<ScanSource> source_;
   RunFolder folder_;
   ScanReader reader_;
+  MotionReader motion_reader_;
   std::size_t total_;
   Progress progress_;
   VerdictNotice verdicts_;

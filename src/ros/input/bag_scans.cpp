@@ -71,6 +71,34 @@ std::string BagScans::chooseTopic(const std::string& wanted) {
   return wanted;
 }
 
+std::unique_ptr<rosbag::View> BagScans::messagesWith(const PriorsConfig& priors) const {
+  std::vector<std::string> topics{topic_};
+  const auto add = [&](const std::string& topic, const char* type, const char* parameter) {
+    requireTopic(topic, type, parameter);
+    topics.push_back(topic);
+  };
+  if (!priors.odometry_topic.empty())
+    add(priors.odometry_topic, "nav_msgs/Odometry", "priors/odometry_topic");
+  if (!priors.odometry_frame.empty()) add("/tf", "tf2_msgs/TFMessage", "priors/odometry_frame");
+  if (!priors.imu_topic.empty()) add(priors.imu_topic, "sensor_msgs/Imu", "priors/imu_topic");
+  auto messages = std::make_unique<rosbag::View>();
+  for (const auto& bag : bags_) messages->addQuery(*bag, rosbag::TopicQuery(topics));
+  return messages;
+}
+
+void BagScans::requireTopic(const std::string& topic, const std::string& type,
+                            const std::string& parameter) const {
+  std::set<std::string> of_type;
+  for (const auto& bag : bags_) {
+    rosbag::View view(*bag);
+    for (const rosbag::ConnectionInfo* connection : view.getConnections())
+      if (connection->datatype == type) of_type.insert(connection->topic);
+  }
+  if (of_type.count(topic) == 0)
+    throw BagError("the bag has no topic '" + topic + "' of type " + type + ", which " + parameter +
+                   " needs; topics of this type: " + join(of_type));
+}
+
 void BagScans::readTransforms() {
   std::set<std::string>
       children;  // the first transform of a frame stays: static ones before others

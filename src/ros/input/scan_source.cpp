@@ -8,6 +8,12 @@ namespace revisit_slam {
 namespace {
 
 ScanMessage messageOf(const rosbag::MessageInstance& instance) {
+  if (const auto odometry = instance.instantiate<nav_msgs::Odometry>())
+    return MotionMessage(nav_msgs::Odometry::ConstPtr(odometry));
+  if (const auto imu = instance.instantiate<sensor_msgs::Imu>())
+    return MotionMessage(sensor_msgs::Imu::ConstPtr(imu));
+  if (const auto transforms = instance.instantiate<tf2_msgs::TFMessage>())
+    return MotionMessage(tf2_msgs::TFMessage::ConstPtr(transforms));
   if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
     return sensor_msgs::PointCloud2::ConstPtr(cloud);
   return topic_tools::ShapeShifter::ConstPtr(instance.instantiate<topic_tools::ShapeShifter>());
@@ -26,8 +32,9 @@ std::string frameOf(const rosbag::MessageInstance& instance) {
 
 class BagSource : public ScanSource {
  public:
-  BagSource(const std::vector<std::string>& paths, const std::string& topic)
-      : bags_(paths, topic) {}
+  BagSource(const std::vector<std::string>& paths, const std::string& topic,
+            const PriorsConfig& priors)
+      : bags_(paths, topic), messages_(bags_.messagesWith(priors)) {}
 
   std::string description() const override { return "topic " + bags_.topic(); }
   std::size_t size() override { return bags_.size(); }
@@ -45,7 +52,7 @@ class BagSource : public ScanSource {
 
   std::string forEach(const std::function<bool(const ScanMessage&)>& consume) override {
     try {
-      for (const rosbag::MessageInstance& instance : bags_.messages())
+      for (const rosbag::MessageInstance& instance : *messages_)
         if (!consume(messageOf(instance))) break;
     } catch (const rosbag::BagException& error) {
       return std::string("the bag is damaged: ") + error.what();
@@ -55,6 +62,7 @@ class BagSource : public ScanSource {
 
  private:
   BagScans bags_;
+  std::unique_ptr<rosbag::View> messages_;
 };
 
 class DatasetSource : public ScanSource {
@@ -92,8 +100,8 @@ class DatasetSource : public ScanSource {
 }  // namespace
 
 std::unique_ptr<ScanSource> openBags(const std::vector<std::string>& paths,
-                                     const std::string& topic) {
-  return std::make_unique<BagSource>(paths, topic);
+                                     const std::string& topic, const PriorsConfig& priors) {
+  return std::make_unique<BagSource>(paths, topic, priors);
 }
 
 std::unique_ptr<ScanSource> openDatasetSource(const std::string& name, const std::string& folder) {

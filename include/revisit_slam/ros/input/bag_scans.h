@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
@@ -30,6 +31,9 @@ class BagScans {
   const std::string& topic() const { return topic_; }
   std::size_t size() { return scans_->size(); }
   rosbag::View& messages() { return *scans_; }
+  /// The scans and, in the order in which all were recorded, what measures motion.
+  /// @throws BagError where a topic is missing or of another type.
+  std::unique_ptr<rosbag::View> messagesWith(const PriorsConfig& priors) const;
 
   bool hasTransforms() const { return has_transforms_; }
   /// Pose of a sensor on the robot as the bags' /tf_static and /tf have it; nothing when they do
@@ -40,6 +44,8 @@ class BagScans {
  private:
   void open(const std::string& path);
   std::string chooseTopic(const std::string& wanted);
+  void requireTopic(const std::string& topic, const std::string& type,
+                    const std::string& parameter) const;
   void readTransforms();
 
   std::vector<std::unique_ptr<rosbag::Bag>> bags_;

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "revisit_slam/input/point_cloud.h"
+#include "revisit_slam/priors/priors_config.h"
+#include "revisit_slam/ros/input/motion_reader.h"
 #include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
@@ -20,16 +22,19 @@ namespace revisit_slam {
 struct UnreadableScan {
   std::string reason;
 };
-/// A recorded scan: a message of a bag, or the cloud of a dataset.
-using ScanMessage = std::variant<sensor_msgs::PointCloud2::ConstPtr,
-                                 topic_tools::ShapeShifter::ConstPtr, PointCloud, UnreadableScan>;
+/// A recorded scan, a message of a bag or the cloud of a dataset, or a message that measures
+/// motion.
+using ScanMessage =
+    std::variant<sensor_msgs::PointCloud2::ConstPtr, topic_tools::ShapeShifter::ConstPtr,
+                 PointCloud, UnreadableScan, MotionMessage>;
 
-/// Recorded scans in order: of a topic in bags, or of a dataset.
+/// Recorded scans in order, of a topic in bags, with what measures motion, or of a dataset.
 class ScanSource {
  public:
   virtual ~ScanSource() = default;
 
   virtual std::string description() const = 0;
+  /// Of the scans.
   virtual std::size_t size() = 0;
   /// The frame_id of the scans.
   virtual std::string sensorFrame() = 0;
@@ -37,13 +42,13 @@ class ScanSource {
   virtual bool hasTransforms() const = 0;
   virtual std::optional<Pose> findExtrinsics(const std::string& base_frame,
                                              const std::string& sensor_frame) const = 0;
-  /// Hands the scans over until `consume` returns false. @return why it ended early, or nothing.
+  /// Hands all over until `consume` returns false. @return why it ended early, or nothing.
   virtual std::string forEach(const std::function<bool(const ScanMessage&)>& consume) = 0;
 };
 
 /// An empty topic stands for the only topic with scans. @throws BagError
 std::unique_ptr<ScanSource> openBags(const std::vector<std::string>& paths,
-                                     const std::string& topic);
+                                     const std::string& topic, const PriorsConfig& priors = {});
 
 /// @throws DatasetError naming what is missing.
 std::unique_ptr<ScanSource> openDatasetSource(const std::string& name, const std::string& folder);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/input/motion_reader.h"
+
+#include <cmath>
+#include <tuple>
+
+#include "revisit_slam/priors/motion_priors.h"
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+namespace {
+
+MotionReader::Result rejected(const char* sensor, const std::string& reason) {
+  return {std::nullopt, sensor, reason};
+}
+
+bool isUsable(const geometry_msgs::Pose& pose) {
+  const auto& [p, q] = std::tie(pose.position, pose.orientation);
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::isfinite(p.x + p.y + p.z) && std::abs(norm - 1.0) < 0.1;
+}
+
+Pose toPose(const geometry_msgs::Pose& pose) {
+  const auto& [p, q] = std::tie(pose.position, pose.orientation);
+  return {Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(), {p.x, p.y, p.z}};
+}
+
+Eigen::Vector3d toVector(const geometry_msgs::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Row by row; all zeros or a variance below zero: not known.
+template <int kSize, typename Values>
+std::optional<Eigen::Matrix<double, kSize, kSize>> toCovariance(const Values& values) {
+  using Matrix = Eigen::Matrix<double, kSize, kSize>;
+  const Matrix covariance = Eigen::Map<const Matrix>(values.data());
+  const bool is_known = covariance.allFinite() && !covariance.isZero(0.0) &&
+                        (covariance.diagonal().array() >= 0.0).all();
+  if (!is_known) return std::nullopt;
+  return Matrix(0.5 * (covariance + covariance.transpose()));
+}
+
+}  // namespace
+
+std::optional<MotionReader::Result> MotionReader::read(const MotionMessage& message) {
+  if (const auto* odometry = std::get_if<nav_msgs::Odometry::ConstPtr>(&message))
+    return readOdometry(**odometry);
+  if (const auto* imu = std::get_if<sensor_msgs::Imu::ConstPtr>(&message)) return readImu(**imu);
+  return readTransforms(*std::get<tf2_msgs::TFMessage::ConstPtr>(message));
+}
+
+/// The axes of ROS covariances are ours: x, y, z, rotations about them, in the child frame.
+MotionReader::Result MotionReader::readOdometry(const nav_msgs::Odometry& message) const {
+  const char* sensor = MotionPriors::kOdometry;
+  const geometry_msgs::Pose& pose = message.pose.pose;
+  if (!isUsable(pose)) return rejected(sensor, "not a pose");
+  if (message.header.stamp.isZero()) return rejected(sensor, "no stamp");
+  const std::optional<Pose> T_base_child = find_extrinsics_(message.child_frame_id);
+  if (!T_base_child) return rejected(sensor, "no transform from '" + message.child_frame_id + "'");
+  OdometryReading reading;
+  reading.stamp = toStamp(message.header.stamp);
+  reading.T_world_base = toPose(pose) * T_base_child->inverse();
+  reading.is_planar =
+      pose.position.z == 0.0 && pose.orientation.x == 0.0 && pose.orientation.y == 0.0;
+  if (const auto covariance = toCovariance<6>(message.twist.covariance)) {
+    const Matrix6 A = adjoint(*T_base_child);
+    reading.velocity_covariance = A * *covariance * A.transpose();
+  }
+  return {reading, sensor, ""};
+}
+
+/// A covariance that begins with -1: there is no turn rate (sensor_msgs/Imu).
+MotionReader::Result MotionReader::readImu(const sensor_msgs::Imu& message) const {
+  const char* sensor = MotionPriors::kGyro;
+  const Eigen::Vector3d turn_rate = toVector(message.angular_velocity);
+  if (!turn_rate.allFinite() || message.angular_velocity_covariance[0] == -1.0)
+    return rejected(sensor, "no turn rate");
+  if (message.header.stamp.isZero()) return rejected(sensor, "no stamp");
+  const std::optional<Pose> T_base_imu = find_extrinsics_(message.header.frame_id);
+  if (!T_base_imu) return rejected(sensor, "no transform from '" + message.header.frame_id + "'");
+  ImuReading reading;
+  reading.stamp = toStamp(message.header.stamp);
+  reading.turn_rate = T_base_imu->rotation * turn_rate;
+  if (const auto covariance = toCovariance<3>(message.angular_velocity_covariance))
+    reading.turn_rate_variance = covariance->trace() / 3.0;
+  return {reading, sensor, ""};
+}
+
+std::optional<MotionReader::Result> MotionReader::readTransforms(
+    const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    if (transform.header.frame_id != odometry_frame_) continue;
+    if (child_frame_.empty()) child_frame_ = transform.child_frame_id;
+    if (transform.child_frame_id != child_frame_) continue;
+    nav_msgs::Odometry odometry;
+    odometry.header = transform.header;
+    odometry.child_frame_id = transform.child_frame_id;
+    odometry.pose.pose.position.x = transform.transform.translation.x;
+    odometry.pose.pose.position.y = transform.transform.translation.y;
+    odometry.pose.pose.position.z = transform.transform.translation.z;
+    odometry.pose.pose.orientation = transform.transform.rotation;
+    return readOdometry(odometry);
+  }
+  return std::nullopt;
+}
+
+}  // namespace revisit_slam

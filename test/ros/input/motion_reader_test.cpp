@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/input/motion_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <limits>
+
+#include "revisit_slam/ros/messages/pose_conversions.h"
+
+namespace revisit_slam {
+namespace {
+
+const Pose kMounting{expSO3({0.0, 0.0, 0.5 * M_PI}), {0.5, -0.2, 0.3}};
+
+std::optional<Pose> findExtrinsics(const std::string& frame) {
+  if (frame == "base_link") return Pose::identity();
+  if (frame == "mounted") return kMounting;
+  return std::nullopt;
+}
+
+MotionReader::Result read(const MotionMessage& message, const PriorsConfig& config = {}) {
+  MotionReader reader(config, findExtrinsics);
+  return reader.read(message).value();
+}
+
+boost::shared_ptr<nav_msgs::Odometry> odometry(const std::string& child) {
+  auto message = boost::make_shared<nav_msgs::Odometry>();
+  message->header.stamp = ros::Time(100.5);
+  message->header.frame_id = "odom";
+  message->child_frame_id = child;
+  message->pose.pose = toPoseMessage({expSO3({0.0, 0.0, 0.3}), {1.0, 2.0, 0.0}});
+  return message;
+}
+
+boost::shared_ptr<sensor_msgs::Imu> imu(const std::string& frame) {
+  auto message = boost::make_shared<sensor_msgs::Imu>();
+  message->header.stamp = ros::Time(100.5);
+  message->header.frame_id = frame;
+  message->angular_velocity.x = 0.1;
+  return message;
+}
+
+TEST(MotionReader, AnOdometryOfTheBaseIsTakenAsItIs) {
+  const auto reading = std::get<OdometryReading>(read(odometry("base_link")).reading.value());
+  EXPECT_EQ(reading.stamp, Stamp::fromSeconds(100.5));
+  EXPECT_LT((reading.T_world_base.translation - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-12);
+  EXPECT_TRUE(reading.is_planar);
+  EXPECT_FALSE(reading.velocity_covariance);
+}
+
+TEST(MotionReader, ThatOfAnotherFrameIsMovedToTheBase) {
+  const auto message = odometry("mounted");
+  message->twist.covariance[0] = 0.04;  // along the x axis of the frame, the y axis of the base
+  message->twist.covariance[7] = 0.01;
+  const auto reading = std::get<OdometryReading>(read(message).reading.value());
+  const Pose T_world_child = reading.T_world_base * kMounting;
+  EXPECT_LT((T_world_child.translation - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-12);
+  EXPECT_NEAR(reading.velocity_covariance->coeff(1, 1), 0.04, 1e-12);
+  EXPECT_NEAR(reading.velocity_covariance->coeff(0, 0), 0.01, 1e-12);
+}
+
+TEST(MotionReader, ACovarianceThatSaysNothingIsUnknown) {
+  for (const double first : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const auto message = odometry("base_link");
+    message->twist.covariance[0] = first;
+    EXPECT_FALSE(std::get<OdometryReading>(*read(message).reading).velocity_covariance) << first;
+  }
+}
+
+TEST(MotionReader, AnOdometryWithTiltOrHeightIsNotPlanar) {
+  const auto message = odometry("base_link");
+  message->pose.pose.position.z = 0.1;
+  EXPECT_FALSE(std::get<OdometryReading>(read(message).reading.value()).is_planar);
+}
+
+TEST(MotionReader, TurnRatesAreTurnedIntoTheAxesOfTheBase) {
+  const auto message = imu("mounted");
+  message->angular_velocity_covariance = {0.01, 0, 0, 0, 0.02, 0, 0, 0, 0.03};
+  const auto reading = std::get<ImuReading>(read(message).reading.value());
+  EXPECT_LT((reading.turn_rate - Eigen::Vector3d(0.0, 0.1, 0.0)).norm(), 1e-12);
+  EXPECT_NEAR(reading.turn_rate_variance.value(), 0.02, 1e-12);
+}
+
+TEST(MotionReader, WhatCannotBeUsedIsRejectedWithTheReason) {
+  EXPECT_EQ(read(odometry("unknown")).rejection, "no transform from 'unknown'");
+  EXPECT_EQ(read(imu("")).rejection, "no transform from ''");
+  const auto not_a_pose = odometry("base_link");
+  not_a_pose->pose.pose.orientation.w = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(read(not_a_pose).rejection, "not a pose");
+  const auto without_rate = imu("mounted");
+  without_rate->angular_velocity_covariance[0] = -1.0;
+  EXPECT_EQ(read(without_rate).rejection, "no turn rate");
+  const auto without_stamp = imu("mounted");
+  without_stamp->header.stamp = ros::Time();
+  EXPECT_EQ(read(without_stamp).rejection, "no stamp");
+}
+
+TEST(MotionReader, TfOfTheFrameIsAnOdometryAndOtherTfIsNone) {
+  PriorsConfig config;
+  config.odometry_frame = "wheel_odom";
+  MotionReader reader(config, findExtrinsics);
+  const auto message = boost::make_shared<tf2_msgs::TFMessage>();
+  message->transforms.resize(2);
+  message->transforms[0].header.frame_id = "base_link";
+  message->transforms[0].child_frame_id = "wheel";
+  EXPECT_FALSE(reader.read(tf2_msgs::TFMessage::ConstPtr(message)));
+  geometry_msgs::TransformStamped& moved = message->transforms[1];
+  moved.header.stamp = ros::Time(100.5);
+  moved.header.frame_id = "wheel_odom";
+  moved.child_frame_id = "base_link";
+  moved.transform = toTransformMessage({expSO3({0.0, 0.0, 0.3}), {1.0, 2.0, 0.0}});
+  const auto result = reader.read(tf2_msgs::TFMessage::ConstPtr(message));
+  const auto reading = std::get<OdometryReading>(result.value().reading.value());
+  EXPECT_EQ(reading.stamp, Stamp::fromSeconds(100.5));
+  EXPECT_NEAR(reading.T_world_base.translation.y(), 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace revisit_slam
