@@ -83,7 +83,7 @@ class BackEndNodelet : public SlamNodelet {
         });
     scan_subscriber_ = node.subscribe<InformedScan>(
         "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
-          broadcaster_->onScan(informed->scan->id.session, informed->scan->stamp);
+          broadcaster_->onScan(*informed->scan);
           lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame] {
             sensor_frame_ = frame;
             add(node);

@@ -63,7 +63,7 @@ class InformationNodelet : public SlamNodelet {
     const RegisteredScan& scan = *informed.scan;
     const std::string& base_frame =
         config_.frames.base.empty() ? scan.sensor_frame : config_.frames.base;
-    odometry_publisher_.publish(toOdometry(informed, config_.frames.odom, base_frame));
+    odometry_publisher_.publish(toOdometry(informed, ownOdomFrame(config_), base_frame));
     if (markers_publisher_.getNumSubscribers() > 0)
       markers_publisher_.publish(
           toMarkers(informed.estimate.weak_directions, scan.stamp, base_frame));

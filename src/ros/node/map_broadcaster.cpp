@@ -7,14 +7,25 @@
 
 namespace revisit_slam {
 
-void MapBroadcaster::onScan(SessionId session, Stamp stamp) {
+MapBroadcaster::MapBroadcaster(const FramesConfig& frames, const LiveConfig& live)
+    : frames_(frames),
+      live_(live),
+      robot_odometry_(live.broadcast_odom ? nullptr
+                                          : std::make_unique<RobotOdometry>(frames.odom)) {}
+
+void MapBroadcaster::onScan(const RegisteredScan& scan) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool anew = session != session_;
+  const bool anew = scan.id.session != session_;
   if (anew) T_map_odom_ = Pose::identity();
   if (anew) last_broadcast_ = {};
-  session_ = session;
-  newest_scan_ = stamp;
+  session_ = scan.id.session;
+  newest_scan_ = scan.stamp;
   newest_arrival_ = ros::Time::now();
+  if (robot_odometry_) {
+    if (anew) robot_odometry_->restart();
+    robot_odometry_->onScan(scan.stamp, scan.T_odom_base,
+                            frames_.base.empty() ? scan.sensor_frame : frames_.base);
+  }
   if (anew) broadcastLocked(true);
 }
 
@@ -32,6 +43,12 @@ void MapBroadcaster::broadcast() {
 
 void MapBroadcaster::broadcastLocked(bool at_once) {
   if (!session_ || !live_.broadcast_map) return;
+  Pose T_map_odom = T_map_odom_;
+  if (robot_odometry_) {
+    const std::optional<Pose> T_own_robot = robot_odometry_->placed();
+    if (!T_own_robot) return;
+    T_map_odom = T_map_odom_ * *T_own_robot;
+  }
   // Not far ahead of scans that come late: what is dated ahead is what they are placed by.
   constexpr double kLongest = 0.2;  // s
   const double since_scan = std::clamp((ros::Time::now() - newest_arrival_).toSec(), 0.0, kLongest);
@@ -45,7 +62,7 @@ void MapBroadcaster::broadcastLocked(bool at_once) {
   message.header.stamp = toRosTime(stamp);
   message.header.frame_id = frames_.map;
   message.child_frame_id = frames_.odom;
-  message.transform = toTransformMessage(T_map_odom_);
+  message.transform = toTransformMessage(T_map_odom);
   broadcaster_.sendTransform(message);
 }
 

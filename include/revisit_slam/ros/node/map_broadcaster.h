@@ -4,26 +4,29 @@
 #include <ros/time.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <memory>
 #include <mutex>
 #include <optional>
 
+#include "revisit_slam/ros/node/robot_odometry.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/registered_scan.h"
 #include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
 
-/// Broadcasts where the odometry frame is in the map. Time runs on a little from the newest scan,
-/// whatever clock its stamps are from. May be used from any thread; none waits for another for
-/// long.
+/// Broadcasts where the odometry frame is in the map: our own or, where live/broadcast_odom is
+/// false, that of the robot, T_map_odom = T_map_base * T_odom_base^-1 at the stamp of a scan. Time
+/// runs on a little from the newest scan, whatever clock its stamps are from. May be used from any
+/// thread; none waits for another for long.
 class MapBroadcaster {
  public:
-  MapBroadcaster(const FramesConfig& frames, const LiveConfig& live)
-      : frames_(frames), live_(live) {}
+  MapBroadcaster(const FramesConfig& frames, const LiveConfig& live);
 
   /// A scan has come. One of another session puts the odometry frame back to the map's origin.
-  void onScan(SessionId session, Stamp stamp);
+  void onScan(const RegisteredScan& scan);
   /// Broadcasts a correction at once, unless it is of another session.
   void correct(SessionId session, const Pose& T_map_odom);
   /// Nothing before the first scan, nor twice for the same time.
@@ -38,7 +41,8 @@ class MapBroadcaster {
 
   std::mutex mutex_;  // guards what follows
   std::optional<SessionId> session_;
-  Pose T_map_odom_;
+  Pose T_map_odom_;                                // of our own odometry
+  std::unique_ptr<RobotOdometry> robot_odometry_;  // null: there is only our own
   Stamp newest_scan_;
   ros::Time newest_arrival_;
   Stamp last_broadcast_;
