@@ -13,6 +13,7 @@
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/motion_inbox.h"
 #include "revisit_slam/ros/node/patient_publisher.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
@@ -32,6 +33,7 @@ class OdometryNodelet : public SlamNodelet {
     stopDiagnostics();
     points_subscriber_.shutdown();
     livox_subscriber_.shutdown();
+    motion_inbox_.unsubscribe();
     reset_service_.shutdown();
     live_parameters_.reset();
     if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
@@ -40,14 +42,21 @@ class OdometryNodelet : public SlamNodelet {
  private:
   using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
   using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
-  struct Flush {};  // no further scan comes
-  using Message = std::variant<CloudPtr, LivoxPtr, Flush>;
+  struct Flush {};   // no further scan comes
+  struct Motion {};  // look into the inbox, as before every other message
+  using Message = std::variant<CloudPtr, LivoxPtr, Flush, Motion>;
 
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
+    if (config_.live.broadcast_odom && config_.priors.odometry_frame == config_.frames.odom)
+      throw ParameterError("priors/odometry_frame '" + config_.frames.odom +
+                           "' is the frame that this node broadcasts: set frames/odom to another "
+                           "name, or live/broadcast_odom to false");
     reader_ = std::make_unique<ScanReader>(config_.input);
+    motion_reader_ = std::make_unique<MotionReader>(
+        config_.priors, [this](const std::string& frame) { return place(frame); });
     stage_ = std::make_unique<OdometryStage>(config_, now);
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
@@ -67,6 +76,9 @@ class OdometryNodelet : public SlamNodelet {
         config_.live.queue_size,
         [this](const Message& message) { guarded([&] { handle(message); }); },
         [this] { onQueueFull(); });
+    motion_inbox_.subscribe(node, config_.priors, [this] {
+      if (queue_->waiting() == 0) queue_->push(Motion{});
+    });
     const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
     points_subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(
         "points", depth, [this](const CloudPtr& cloud) { queue_->push(cloud); });
@@ -78,7 +90,31 @@ class OdometryNodelet : public SlamNodelet {
 
   void handle(const Message& message) {
     if (reset_requested_.exchange(false)) startSession();
+    if (!placement_->baseFrame().empty()) takeMotion();
     std::visit([this](const auto& what) { take(what); }, message);
+  }
+
+  void take(Motion) {}
+
+  void takeMotion() {
+    for (const MotionMessage& message : motion_inbox_.takeAll()) {
+      const std::optional<MotionReader::Result> read = motion_reader_->read(message);
+      if (!read) continue;
+      std::vector<OdometryStage::Result> results;
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (read->reading) {
+          results = stage_->takeMotion(*read->reading);
+        } else {
+          stage_->countDroppedMotion(read->sensor, read->rejection);
+        }
+      }
+      for (const OdometryStage::Result& result : results) finish(result);
+    }
+  }
+
+  std::optional<Pose> place(const std::string& frame) {
+    return placement_->find(frame, [this] { return queue_->stopping() || reset_requested_; });
   }
 
   void take(Flush) {
@@ -95,8 +131,7 @@ class OdometryNodelet : public SlamNodelet {
     StageClock clock;
     ScanReading reading = reader_->read(*message);
     if (reading.scan) {
-      const std::optional<Pose> T_base_sensor = placement_->find(
-          reading.frame_id, [this] { return queue_->stopping() || reset_requested_; });
+      const std::optional<Pose> T_base_sensor = place(reading.frame_id);
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
       reading.scan->T_base_sensor = *T_base_sensor;
     }
@@ -142,8 +177,9 @@ class OdometryNodelet : public SlamNodelet {
 
   void publish(const OdometryOutput& output) {
     const RegisteredScan& scan = *output.scan;
-    const std::string &odom_frame = config_.frames.odom, &base_frame = placement_->baseFrame();
-    tf_broadcaster_.sendTransform(toTransform(scan, odom_frame, base_frame));
+    const std::string odom_frame = ownOdomFrame(config_), &base_frame = placement_->baseFrame();
+    if (config_.live.broadcast_odom)
+      tf_broadcaster_.sendTransform(toTransform(scan, odom_frame, base_frame));
     odometry_publisher_.publish(toOdometry(scan, odom_frame, base_frame));
     registered_publisher_.publish(boost::make_shared<const OdometryOutput>(output));
     if (cloud_publisher_.getNumSubscribers() > 0)
@@ -194,6 +230,7 @@ class OdometryNodelet : public SlamNodelet {
     addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
     addValue("scans held until the next", std::to_string(stage_->held()), status);
     addAccount(account, status);
+    addPriors(stage_->priors().accounts(), status);
   }
 
   /// What was held at the last diagnostics too has waited long enough for the next scan.
@@ -205,6 +242,7 @@ class OdometryNodelet : public SlamNodelet {
 
   // Of the queue's thread.
   std::unique_ptr<ScanReader> reader_;
+  std::unique_ptr<MotionReader> motion_reader_;
   std::unique_ptr<SensorPlacement> placement_;
   tf2_ros::TransformBroadcaster tf_broadcaster_;
   PatientPublisher<OdometryOutput> registered_publisher_;
@@ -220,6 +258,7 @@ class OdometryNodelet : public SlamNodelet {
 
   std::atomic<bool> reset_requested_{false};
   ros::ServiceServer reset_service_;
+  MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   ros::Subscriber points_subscriber_, livox_subscriber_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;

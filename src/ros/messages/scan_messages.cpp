@@ -121,6 +121,21 @@ void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& s
     addValue("points dropped, " + reason, std::to_string(count), status);
 }
 
+void addPriors(const std::map<std::string, PriorAccount>& accounts,
+               diagnostic_msgs::DiagnosticStatus& status) {
+  for (const auto& [sensor, account] : accounts) {
+    addValue(sensor + " messages received", std::to_string(account.received), status);
+    for (const auto& [reason, count] : account.dropped)
+      addValue(sensor + " messages dropped: " + reason, std::to_string(count), status);
+    addValue(sensor + " used in scans", std::to_string(account.used), status);
+    addValue(sensor + " rejected in scans", std::to_string(account.rejected), status);
+    addValue(sensor + " missing in scans", std::to_string(account.missing), status);
+    if (!account.is_silent) continue;
+    if (status.level == status.OK) status.level = status.WARN;
+    status.message += ", no messages of " + sensor;
+  }
+}
+
 void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
                        diagnostic_msgs::DiagnosticStatus& status) {
   const Eigen::IOFormat on_one_line(3, Eigen::DontAlignCols, " ", " ");

@@ -33,7 +33,7 @@ std::optional<Pose> SensorPlacement::find(const std::string& sensor_frame,
   if (!T_base_sensor) {
     ROS_WARN_THROTTLE(
         5.0,
-        "no transform from '%s' to '%s': its scans are dropped; broadcast one, or set "
+        "no transform from '%s' to '%s': its messages are dropped; broadcast one, or set "
         "frames/base to a frame that is connected, or to nothing for the sensor's own",
         sensor_frame.c_str(), base_frame_.c_str());
     return std::nullopt;

@@ -7,9 +7,11 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "revisit_slam/priors/prior_account.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
 
@@ -43,6 +45,9 @@ sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const s
 
 /// received, processed and every reason of dropping as key and value.
 void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status);
+/// Likewise of each sensor that measures motion.
+void addPriors(const std::map<std::string, PriorAccount>& accounts,
+               diagnostic_msgs::DiagnosticStatus& status);
 /// Each weak direction, [translation; rotation], with its eigenvalue.
 void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
                        diagnostic_msgs::DiagnosticStatus& status);
