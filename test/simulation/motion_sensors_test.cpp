@@ -63,7 +63,6 @@ TEST(MotionSensors, AnImuWithoutErrorsMeasuresTheMotion) {
   config.T_base_imu.rotation = expSO3({0.0, 0.0, 0.5 * M_PI});
   const Stamp end = route.start().plusSeconds(30.0);
   const std::vector<ImuSample> samples = simulateImu(route, end, config);
-  EXPECT_NEAR(samples.front().acceleration_imu.norm(), 9.81, 0.05);
   const Pose T_map_first = route.poseAt(route.start()) * config.T_base_imu;
   Eigen::Quaterniond integrated = T_map_first.rotation;
   for (std::size_t i = 1; i < samples.size(); ++i)
