@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <revisit_slam/LiveOdometryConfig.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_ros/transform_broadcaster.h>
 #include <topic_tools/shape_shifter.h>
 
 #include <atomic>
-#include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
@@ -14,10 +12,9 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/motion_inbox.h"
-#include "revisit_slam/ros/node/patient_publisher.h"
+#include "revisit_slam/ros/node/odometry_topics.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
-#include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/odometry_stage.h"
 #include "revisit_slam/util/recent_times.h"
 #include "revisit_slam/util/work_queue.h"
@@ -50,10 +47,6 @@ class OdometryNodelet : public SlamNodelet {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
-    if (config_.live.broadcast_odom && config_.priors.odometry_frame == config_.frames.odom)
-      throw ParameterError("priors/odometry_frame '" + config_.frames.odom +
-                           "' is the frame that this node broadcasts: set frames/odom to another "
-                           "name, or live/broadcast_odom to false");
     reader_ = std::make_unique<ScanReader>(config_.input);
     motion_reader_ = std::make_unique<MotionReader>(
         config_.priors, [this](const std::string& frame) { return place(frame); });
@@ -61,11 +54,7 @@ class OdometryNodelet : public SlamNodelet {
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
 
-    const ros::Publisher registered = node.advertise<OdometryOutput>("registered_scan", 100);
-    registered_publisher_ = {registered,
-                             [registered] { return registered.getNumSubscribers() > 0; }};
-    odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry_raw", 100);
-    cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("deskewed_points", 2);
+    topics_ = std::make_unique<OdometryTopics>(node, config_);
     reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
     live_parameters_ = std::make_unique<LiveParameters<LiveOdometryConfig, OdometryConfig>>(
         private_node, "odometry", config_.odometry, [this](const OdometryConfig& config) {
@@ -100,16 +89,12 @@ class OdometryNodelet : public SlamNodelet {
     for (const MotionMessage& message : motion_inbox_.takeAll()) {
       const std::optional<MotionReader::Result> read = motion_reader_->read(message);
       if (!read) continue;
-      std::vector<OdometryStage::Result> results;
-      {
+      if (read->reading) {
+        finish([&] { return stage_->takeMotion(*read->reading); });
+      } else {
         const std::lock_guard<std::mutex> lock(mutex_);
-        if (read->reading) {
-          results = stage_->takeMotion(*read->reading);
-        } else {
-          stage_->countDroppedMotion(read->sensor, read->rejection);
-        }
+        stage_->countDroppedMotion(read->sensor, read->rejection);
       }
-      for (const OdometryStage::Result& result : results) finish(result);
     }
   }
 
@@ -118,12 +103,7 @@ class OdometryNodelet : public SlamNodelet {
   }
 
   void take(Flush) {
-    std::vector<OdometryStage::Result> results;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      results = stage_->flush();
-    }
-    for (const OdometryStage::Result& result : results) finish(result);
+    finish([&] { return stage_->flush(); });
   }
 
   template <typename Pointer>
@@ -135,16 +115,10 @@ class OdometryNodelet : public SlamNodelet {
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
       reading.scan->T_base_sensor = *T_base_sensor;
     }
-    std::vector<OdometryStage::Result> results;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      results = stage_->process(std::move(reading));
-    }
-    for (const OdometryStage::Result& result : results) finish(result);
+    const bool registered = finish([&] { return stage_->process(std::move(reading)); });
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!results.empty() && results.back().output.scan)
-      scan_times_.add(clock.times().back().second);
+    if (registered) scan_times_.add(clock.times().back().second);
   }
 
   void startSession() {
@@ -154,14 +128,30 @@ class OdometryNodelet : public SlamNodelet {
     scan_times_ = {};
   }
 
-  void finish(const OdometryStage::Result& result) {
+  /// What the stage made of what it was given. @return whether the last of it was registered.
+  template <typename Give>
+  bool finish(const Give& give) {
+    std::vector<OdometryStage::Result> results;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      results = give();
+    }
+    for (const OdometryStage::Result& result : results) tell(result);
+    return !results.empty() && results.back().output.scan;
+  }
+
+  void tell(const OdometryStage::Result& result) {
     if (!result.notice.empty()) NODELET_WARN("%s", result.notice.c_str());
     note(result);
-    if (result.output.scan) {
-      publish(result.output);
-    } else {
+    if (!result.output.scan) {
       NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
+      return;
     }
+    topics_->publish(result.output, placement_->baseFrame());
+    const RegistrationResult& registration = result.output.scan->registration;
+    if (registration.outcome == RegistrationOutcome::too_few_correspondences)
+      NODELET_WARN_THROTTLE(5.0, "registration failed: %s (%zu)", toString(registration.outcome),
+                            registration.correspondences);
   }
 
   void note(const OdometryStage::Result& result) {
@@ -173,21 +163,6 @@ class OdometryNodelet : public SlamNodelet {
     if (reader_->description() == time_source_) return;
     time_source_ = reader_->description();
     NODELET_INFO("%s", time_source_.c_str());
-  }
-
-  void publish(const OdometryOutput& output) {
-    const RegisteredScan& scan = *output.scan;
-    const std::string odom_frame = ownOdomFrame(config_), &base_frame = placement_->baseFrame();
-    if (config_.live.broadcast_odom)
-      tf_broadcaster_.sendTransform(toTransform(scan, odom_frame, base_frame));
-    odometry_publisher_.publish(toOdometry(scan, odom_frame, base_frame));
-    registered_publisher_.publish(boost::make_shared<const OdometryOutput>(output));
-    if (cloud_publisher_.getNumSubscribers() > 0)
-      cloud_publisher_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
-          toPointCloud(scan.points_base, scan.stamp, base_frame)));
-    if (scan.registration.outcome == RegistrationOutcome::too_few_correspondences)
-      NODELET_WARN_THROTTLE(5.0, "registration failed: %s (%zu)",
-                            toString(scan.registration.outcome), scan.registration.correspondences);
   }
 
   // In any thread.
@@ -244,9 +219,7 @@ class OdometryNodelet : public SlamNodelet {
   std::unique_ptr<ScanReader> reader_;
   std::unique_ptr<MotionReader> motion_reader_;
   std::unique_ptr<SensorPlacement> placement_;
-  tf2_ros::TransformBroadcaster tf_broadcaster_;
-  PatientPublisher<OdometryOutput> registered_publisher_;
-  ros::Publisher odometry_publisher_, cloud_publisher_;
+  std::unique_ptr<OdometryTopics> topics_;
 
   std::mutex mutex_;  // guards the next six
   std::unique_ptr<OdometryStage> stage_;
