@@ -49,6 +49,8 @@ class Vehicle {
     return predicted;
   }
 
+  void loseTrack() { predictor_->forget(); }
+
   const PriorAccount& account() const { return priors_->accounts().at("odometry"); }
 
  private:
@@ -117,6 +119,16 @@ TEST(FusedMotionPredictor, WheelsThatStandOnSomethingThatMovesLoseTheirWeight) {
   for (int i = 0; i < 60; ++i)
     predicted = vehicle.go(0.05 * i, 0.0).T_previous_base.translation.x();
   EXPECT_NEAR(predicted, 0.1 * 0.05 * 59, 0.02);
+}
+
+TEST(FusedMotionPredictor, WhereTheTrackWasLostWheelsTellTheNextMotion) {
+  Vehicle vehicle(0.01);
+  for (int i = 0; i < 20; ++i) vehicle.go(5.0, 5.0);
+  vehicle.loseTrack();
+  vehicle.go(5.0, 5.0);  // where from is not known
+  const PredictedMotion predicted = vehicle.go(5.0, 5.0);
+  EXPECT_TRUE(predicted.is_measured);
+  EXPECT_NEAR(predicted.T_previous_base.translation.x(), 0.5, 0.02);
 }
 
 /// A registration that tells nothing cannot contradict.

@@ -120,6 +120,21 @@ TEST(OdometryStageWithPriors, AtTheEndNothingIsWaitedFor) {
   EXPECT_EQ(stage.held(), 0u);
 }
 
+/// A wrong diameter, from the first scan: what is measured must not hold the registration.
+TEST(OdometryStageWithPriors, WheelsThatMeasureTooMuchFromTheStartDoNotPull) {
+  const Drive drive = driveInRoom(40);
+  OdometryStage stage(withWheels());
+  Results results;
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    OdometryReading wheels = wheelsAt(drive, i);
+    wheels.T_world_base.translation *= 1.3;
+    append(stage.takeMotion(wheels), results);
+    append(stage.process(readingOf(drive.scans[i])), results);
+  }
+  const Pose T_first_last = drive.T_first_base.front().inverse() * drive.T_first_base.back();
+  EXPECT_LT(distanceBetween(results.back().output.scan->T_odom_base, T_first_last), 0.1);
+}
+
 /// Where the registration has nothing to hold on to.
 TEST(OdometryStageWithPriors, WhereLittleMatchesThePoseIsThatOfTheWheels) {
   const Drive drive = driveInRoom(20);
