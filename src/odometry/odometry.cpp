@@ -227,11 +227,12 @@ void Odometry::downsample(RegisteredScan& registered) {
 }
 
 /// Keeps the guess from which the map explains most. After a gap a good fit may be that of the
-/// ground alone.
+/// ground alone. Of the first scans of a map most is explained where they do not move: by the rings
+/// that the sensor draws on the ground.
 void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& rings,
                        RegisteredScan& registered) {
-  if (config_.fit.good == 0.0) return;
-  const auto fits = [&] { return verdictOn(registered) == PoseVerdict::good; };
+  if (config_.fit.good == 0.0 || !fit_.isSettled()) return;
+  const auto fits = [&] { return fit_.isUsual(registered.registration.explained); };
   if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
   if ((fits() && !predicted.is_after_gap) || vain_recoveries_ >= kMostVainRecoveries) return;
   for (const Pose& T_previous_base : recoveryGuesses(predicted)) {

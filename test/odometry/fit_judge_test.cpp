@@ -8,28 +8,38 @@ namespace {
 
 constexpr std::size_t kPoints = 1000;
 
-/// After scans of which the map explained 80 %.
-FitJudge settledJudge() {
-  FitJudge judge{FitConfig{}};
-  for (int i = 0; i < 20; ++i) judge.observe(0.8, PoseVerdict::good);
+/// After scans of which the map explained 80 %, more or less.
+FitJudge settledJudge(double more_or_less = 0.06, const FitConfig& config = {}) {
+  FitJudge judge(config);
+  for (int i = 0; i < 20; ++i) {
+    judge.observe(0.8 + more_or_less, PoseVerdict::good);
+    judge.observe(0.8 - more_or_less, PoseVerdict::good);
+  }
   return judge;
 }
 
 TEST(FitJudge, comparesAScanWithThoseBefore) {
   const FitJudge judge = settledJudge();
-  EXPECT_NEAR(judge.usual(), 0.8, 1e-12);
+  EXPECT_NEAR(judge.usual(), 0.8, 0.002);
   EXPECT_EQ(judge.judge(0.49, kPoints), PoseVerdict::good);  // 0.6 of what is usual is 0.48
   EXPECT_EQ(judge.judge(0.47, kPoints), PoseVerdict::poor);
   EXPECT_EQ(judge.judge(0.25, kPoints), PoseVerdict::poor);
   EXPECT_EQ(judge.judge(0.23, kPoints), PoseVerdict::lost);
 }
 
+TEST(FitJudge, noticesWhenASteadyFitBecomesWorseAtOnce) {
+  EXPECT_EQ(settledJudge(0.06).judge(0.6, kPoints), PoseVerdict::good);
+  EXPECT_EQ(settledJudge(0.003).judge(0.6, kPoints), PoseVerdict::good);  // eight times 0.03
+  EXPECT_EQ(settledJudge(0.003).judge(0.55, kPoints), PoseVerdict::poor);
+  EXPECT_EQ(settledJudge(0.003).judge(0.25, kPoints), PoseVerdict::poor);  // but not lost
+}
+
 TEST(FitJudge, asksLittleOfTheFirstScansOfAMap) {
   FitJudge judge{FitConfig{}};
   EXPECT_EQ(judge.judge(0.0, kPoints), PoseVerdict::good);  // there is no map
   judge.observe(0.0, PoseVerdict::good);
-  EXPECT_EQ(judge.judge(0.2, kPoints), PoseVerdict::good);
-  EXPECT_EQ(judge.judge(0.05, kPoints), PoseVerdict::poor);
+  EXPECT_EQ(judge.judge(0.32, kPoints), PoseVerdict::good);
+  EXPECT_EQ(judge.judge(0.28, kPoints), PoseVerdict::poor);
   judge.observe(0.2, PoseVerdict::good);
   judge.observe(0.4, PoseVerdict::good);
   EXPECT_NEAR(judge.usual(), 0.3, 1e-12);
@@ -53,9 +63,7 @@ TEST(FitJudge, surroundingsThatHaveChangedBecomeUsual) {
 TEST(FitJudge, neverLostWhereThatIsSwitchedOff) {
   FitConfig config;
   config.lost = 0.0;
-  FitJudge judge(config);
-  for (int i = 0; i < 20; ++i) judge.observe(0.8, PoseVerdict::good);
-  EXPECT_EQ(judge.judge(0.0, kPoints), PoseVerdict::poor);
+  EXPECT_EQ(settledJudge(0.0, config).judge(0.0, kPoints), PoseVerdict::poor);
 }
 
 }  // namespace

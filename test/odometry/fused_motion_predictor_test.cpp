@@ -35,7 +35,7 @@ class Vehicle {
     ++scan_;
     wheels_ = boxplus(wheels_, 0.1 * ahead(speed_of_wheels));
     tell();
-    const PredictedMotion predicted = predictor_->predict(stamp());
+    PredictedMotion predicted = predictor_->predict(stamp());
     pose_ = boxplus(pose_, 0.1 * ahead(speed));
     predictor_->observe(stamp(), pose_, information_);
     return predicted;
@@ -43,7 +43,7 @@ class Vehicle {
   /// Likewise, without a message.
   PredictedMotion goWithoutWheels(double speed) {
     ++scan_;
-    const PredictedMotion predicted = predictor_->predict(stamp());
+    PredictedMotion predicted = predictor_->predict(stamp());
     pose_ = boxplus(pose_, 0.1 * ahead(speed));
     predictor_->observe(stamp(), pose_, information_);
     return predicted;

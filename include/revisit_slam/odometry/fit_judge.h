@@ -11,7 +11,8 @@ namespace revisit_slam {
 
 /// Judges whether a scan fits the map by the share of its points that the map explains. How large
 /// that is depends on sensor, speed and surroundings; so it is compared with that of the scans
-/// before. ICP alone does not tell: it converges in wrong places too.
+/// before, and with how much that varied. ICP alone does not tell: it converges in wrong places
+/// too.
 class FitJudge {
  public:
   explicit FitJudge(const FitConfig& config) : config_(config) {}
@@ -19,18 +20,25 @@ class FitJudge {
   /// Good, poor or lost. `explained`: RegistrationResult::explained of `points` points.
   PoseVerdict judge(double explained, std::size_t points) const;
 
+  /// Whether the map explains the share of it that it explains of others.
+  bool isUsual(double explained) const;
+
   /// Takes a scan that entered the map into what is usual.
   void observe(double explained, PoseVerdict verdict);
+
+  /// Whether scans enough have been seen for one to be usual.
+  bool isSettled() const;
 
   /// What the map explains of a scan of late, 0 … 1.
   double usual() const { return usual_; }
 
  private:
-  bool isSettled() const;
+  double leastOfGood() const;
 
   FitConfig config_;
   std::uint32_t scans_ = 0;
   double usual_ = 0.0;
+  double deviation_ = 0.0;  // mean distance from it
 };
 
 }  // namespace revisit_slam
