@@ -15,8 +15,8 @@ constexpr double kNodeJitter = 0.05;
 }  // namespace
 
 const std::vector<std::string>& worldNames() {
-  static const std::vector<std::string> names{"town",   "bridge", "field",
-                                              "campus", "ramp",   "corridor"};
+  static const std::vector<std::string> names{"town", "bridge",   "field",   "campus",
+                                              "ramp", "corridor", "motorway"};
   return names;
 }
 
@@ -25,7 +25,7 @@ WorldKind worldKindOf(const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     throw ParameterError("world = '" + name +
-                         "': must be town, bridge, field, campus, ramp or corridor");
+                         "': must be town, bridge, field, campus, ramp, corridor or motorway");
   }
   return static_cast<WorldKind>(found - names.begin());
 }
@@ -69,6 +69,8 @@ double roadHalfWidth(WorldKind kind) {
       return 5.5;
     case WorldKind::kRamp:
       return 5.0;
+    case WorldKind::kMotorway:
+      return 13.5;
     case WorldKind::kField:
       return 2.5;
     case WorldKind::kCampus:
@@ -79,6 +81,7 @@ double roadHalfWidth(WorldKind kind) {
 }
 
 double laneOffset(WorldKind kind) {
+  if (kind == WorldKind::kMotorway) return 6.5;  // the middle one of three lanes
   return kind == WorldKind::kTown || kind == WorldKind::kBridge ? 1.75 : 0.4;
 }
 

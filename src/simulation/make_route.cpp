@@ -25,6 +25,8 @@ double usualSpeed(const RouteConfig& config) {
       return 1.5;
     case WorldKind::kRamp:
       return 4.0;
+    case WorldKind::kMotorway:
+      return 25.0;
     default:
       return 8.0;
   }

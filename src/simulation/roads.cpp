@@ -108,6 +108,10 @@ std::vector<Road> makeRoads(const Route& route) {
     addSideStreets(roads, route);
     return roads;
   }
+  if (layout.kind == WorldKind::kMotorway) {
+    const double offset = -laneOffset(layout.kind);
+    return {{movedRight(route.path(), [=](double) { return offset; }), half_width}};
+  }
   roads.push_back({route.path(), own_lane ? half_width - 2.0 : half_width});
   if (hasGridStreets(layout)) addGridStreets(roads, route, Neighbourhood(route.path()));
   return roads;

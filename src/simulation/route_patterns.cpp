@@ -6,6 +6,7 @@
 
 #include "grid_walks.h"
 #include "ramp_shape.h"
+#include "revisit_slam/simulation/random.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
@@ -30,6 +31,7 @@ BlockSize blockSize(WorldKind kind) {
       return {22.0, 10.0};
     case WorldKind::kTown:
     case WorldKind::kRamp:
+    case WorldKind::kMotorway:
       return {90.0, 40.0};
   }
   return {90.0, 40.0};
@@ -37,13 +39,16 @@ BlockSize blockSize(WorldKind kind) {
 
 void requireOffered(const RouteConfig& config) {
   const bool offered =
-      config.route == "tour" ||
-      (config.world == WorldKind::kBridge ? config.route == "loop" || config.route == "out-and-back"
-                                          : config.world != WorldKind::kRamp);
+      config.route == "tour" || (config.world == WorldKind::kMotorway && config.route == "loop") ||
+      (config.world == WorldKind::kBridge
+           ? config.route == "loop" || config.route == "out-and-back"
+           : config.world != WorldKind::kRamp && config.world != WorldKind::kMotorway);
   if (!offered) {
     throw ParameterError("route = '" + config.route + "': the world " + nameOf(config.world) +
                          " offers tour" +
-                         (config.world == WorldKind::kBridge ? ", loop and out-and-back" : ""));
+                         (config.world == WorldKind::kBridge     ? ", loop and out-and-back"
+                          : config.world == WorldKind::kMotorway ? " and loop"
+                                                                 : ""));
   }
 }
 
@@ -85,6 +90,23 @@ RoutePattern outAndBack(const RouteConfig& config, Layout layout) {
   return {layout, withReturn(shortened(street, half), radius), config.length};
 }
 
+/// A ring of wide bends; three quarters of the drive are the first lap.
+RoutePattern motorwayRing(const RouteConfig& config, const Layout& layout) {
+  constexpr double kSmallest = 250.0;
+  const double lap = config.length / 1.3, radius = std::max(kSmallest, 0.5 * lap / kPi);
+  Random random(hashOf(config.seed, 905));
+  const double phase = random.uniform(0.0, 2.0 * kPi), turned = random.uniform(0.0, 2.0 * kPi);
+  Polyline line;
+  double driven = 0.0;
+  for (double angle = 0.0; line.empty() || driven < 1.1 * config.length + 20.0; angle += 0.002) {
+    const double r = radius * (1.0 + 0.08 * std::cos(2.0 * angle + phase) +
+                               0.015 * std::cos(5.0 * angle + 2.0 * phase));
+    line.emplace_back(r * std::cos(angle + turned), r * std::sin(angle + turned), 0.0);
+    driven = radius * angle;
+  }
+  return {layout, line, 2.0 * kPi * radius};
+}
+
 }  // namespace
 
 double cornerSigma(WorldKind kind) {
@@ -96,6 +118,7 @@ double cornerSigma(WorldKind kind) {
     case WorldKind::kRamp:
       return 3.0;
     case WorldKind::kField:
+    case WorldKind::kMotorway:
       return 6.0;
     case WorldKind::kTown:
     case WorldKind::kBridge:
@@ -112,6 +135,7 @@ RoutePattern makePattern(const RouteConfig& config) {
   if (config.world == WorldKind::kRamp) {
     return {layout, rampRoute(rampShape(config.length), config.length), config.length};
   }
+  if (config.world == WorldKind::kMotorway) return motorwayRing(config, layout);
   if (config.route == "out-and-back") return outAndBack(config, layout);
   const GridWalk walk = makeWalk(config, size.usual);
   layout.block = walk.block;

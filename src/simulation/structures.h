@@ -11,5 +11,7 @@ void addBridge(Site& site);
 void addParkingDeck(Site& site);
 /// A smooth ceiling and walls with few doors on both sides of the route.
 void addCorridor(Site& site);
+/// Guard rails, boards, gantries, posts, bushes and trees, and bare stretches between them.
+void addMotorway(Site& site);
 
 }  // namespace revisit_slam::simulation

@@ -28,6 +28,8 @@ Hills hillsOf(WorldKind kind) {
       return {1.5, 60.0};
     case WorldKind::kBridge:
       return {1.5, 180.0};
+    case WorldKind::kMotorway:
+      return {4.0, 500.0};
     case WorldKind::kRamp:
     case WorldKind::kCorridor:
       return {0.0, 100.0};

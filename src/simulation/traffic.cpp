@@ -16,6 +16,7 @@ constexpr double kStep = 0.2;
 constexpr double kSecondsPerCar = 12.0;
 constexpr double kAppears = 115.0;
 constexpr double kLevelHeight = 2.5;
+constexpr double kLane = 3.6;
 
 /// Arc on the route over seconds since the start of the drive.
 using ArcOverTime = std::function<double(double)>;
@@ -29,12 +30,17 @@ struct Drive {
   double direction;
 };
 
+bool isMotorway(const Route& route) {
+  return route.layout().kind == WorldKind::kMotorway;
+}
+
 Drive oncoming(const Route& route, double meeting, Random& random) {
-  const double speed = random.uniform(6.0, 13.0);
+  const double speed = isMotorway(route) ? random.uniform(20.0, 35.0) : random.uniform(6.0, 13.0);
+  const double lane = isMotorway(route) ? kLane * random.integer(-1, 1) : 0.0;
   const double middle = route.arcAt(route.start().plusSeconds(meeting));
   return {meeting - kAppears / speed, meeting + kAppears / speed,
           [=](double t) { return middle - speed * (t - meeting); },
-          2.0 * laneOffset(route.layout().kind), -1.0};
+          2.0 * laneOffset(route.layout().kind) + lane, -1.0};
 }
 
 /// A car that comes near from ahead (or behind), keeps its distance for a while and leaves again.
@@ -46,6 +52,17 @@ Drive companion(const Route& route, double middle, double sign, Random& random) 
     return route.arcAt(route.start().plusSeconds(t)) + sign * gap;
   };
   return {middle - half, middle + half, arc, 0.0, 1.0};
+}
+
+/// A car in one of the lanes beside, ahead of and behind the platform, about as fast as it.
+Drive leader(const Route& route, double gap, double lane, Random& random) {
+  const double swing = random.uniform(2.0, 8.0), seconds = random.uniform(15.0, 60.0);
+  const double phase = random.uniform(0.0, 6.28);
+  const auto arc = [=, &route](double t) {
+    return route.arcAt(route.start().plusSeconds(t)) + gap +
+           swing * std::sin(phase + 6.28 * t / seconds);
+  };
+  return {0.0, secondsBetween(route.start(), route.end()), arc, lane, 1.0};
 }
 
 MovingCar carOn(const Route& route, const Drive& drive, int model) {
@@ -92,18 +109,37 @@ bool isClear(const Route& route, const MovingCar& car, const std::vector<MovingC
   return true;
 }
 
+/// Those that accompany the platform all the way along a motorway.
+std::vector<MovingCar> makeLeaders(const Route& route) {
+  Random random(hashOf(route.layout().seed, 981));
+  std::vector<MovingCar> cars;
+  for (const double lane : {-kLane, 0.0, kLane}) {
+    for (double gap = -80.0 + random.uniform(0.0, 20.0); gap < 100.0;
+         gap += random.uniform(22.0, 40.0)) {
+      const Drive drive = leader(route, gap, lane, random);
+      MovingCar car = carOn(route, drive, random.integer(0, carModelCount() - 1));
+      if (car.until > car.from && isClear(route, car, cars)) cars.push_back(std::move(car));
+    }
+  }
+  return cars;
+}
+
 }  // namespace
 
 std::vector<MovingCar> makeTraffic(const Route& route, int most) {
+  if (most == 0) return {};
   Random random(hashOf(route.layout().seed, 980));
   const double duration = secondsBetween(route.start(), route.end());
-  const int tries = static_cast<int>(duration / kSecondsPerCar) + 1;
+  const double seconds_per_car = isMotorway(route) ? 3.0 : kSecondsPerCar;
+  const int tries = static_cast<int>(duration / seconds_per_car) + 1;
   std::vector<MovingCar> cars;
+  if (isMotorway(route)) cars = makeLeaders(route);
   for (int k = 0; k < tries && static_cast<int>(cars.size()) < most; ++k) {
     const double middle = random.uniform(0.0, duration);
     const double kind = random.uniform(0.0, 1.0);
-    const Drive drive = kind < 0.65 ? oncoming(route, middle, random)
-                                    : companion(route, middle, kind < 0.85 ? 1.0 : -1.0, random);
+    const Drive drive = kind < 0.65 || isMotorway(route)
+                            ? oncoming(route, middle, random)
+                            : companion(route, middle, kind < 0.85 ? 1.0 : -1.0, random);
     MovingCar car = carOn(route, drive, random.integer(0, carModelCount() - 1));
     if (car.until == car.from || !isClear(route, car, cars)) continue;
     cars.push_back(std::move(car));

@@ -68,11 +68,13 @@ void fill(Site& site) {
       return site.layout().has_streets ? fillRamp(site) : fillTown(site);
     case WorldKind::kCorridor:
       return addCorridor(site);
+    case WorldKind::kMotorway:
+      return addMotorway(site);
   }
 }
 
 bool hasTraffic(WorldKind kind) {
-  return kind == WorldKind::kTown || kind == WorldKind::kBridge;
+  return kind == WorldKind::kTown || kind == WorldKind::kBridge || kind == WorldKind::kMotorway;
 }
 
 }  // namespace

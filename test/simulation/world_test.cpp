@@ -16,7 +16,8 @@ TEST(World, NothingStandsWhereThePlatformDrives) {
   for (const auto& [world_kind, length] : {std::pair{WorldKind::kTown, 500.0},
                                            {WorldKind::kCampus, 300.0},
                                            {WorldKind::kBridge, 600.0},
-                                           {WorldKind::kRamp, 900.0}}) {
+                                           {WorldKind::kRamp, 900.0},
+                                           {WorldKind::kMotorway, 500.0}}) {
     RouteConfig config = shortDrive("tour", length);
     config.world = world_kind;
     const Route route = makeRoute(config);
@@ -51,6 +52,27 @@ TEST(World, MovingCarsKeepAwayFromThePlatform) {
       ASSERT_TRUE(beside || before_or_behind) << apart.transpose();
     }
   }
+}
+
+TEST(World, OnAMotorwayCarsKeepUpWithThePlatformAndOthersComeTowardsIt) {
+  RouteConfig config = shortDrive("tour", 1500.0);
+  config.world = WorldKind::kMotorway;
+  const Route route = makeRoute(config);
+  const World world = makeWorld({}, route);
+  const Stamp t = route.start().plusSeconds(40.0);
+  ASSERT_GT(route.speedAt(t), 15.0);
+  int along = 0, oncoming = 0;
+  for (const MovingCar& car : world.cars) {
+    if (!car.isPresent(t) || !car.isPresent(t.plusSeconds(0.1))) continue;
+    const auto place = [&](Stamp at) -> Eigen::Vector3d {
+      return route.poseAt(at).inverse() * car.poseAt(at).translation;
+    };
+    const double relative_speed = 10.0 * (place(t.plusSeconds(0.1)) - place(t)).norm();
+    along += relative_speed < 4.0;
+    oncoming += relative_speed > 30.0;
+  }
+  EXPECT_GE(along, 4);
+  EXPECT_GE(oncoming, 1);
 }
 
 TEST(World, IsBoundedAndRepeatable) {

@@ -8,7 +8,7 @@
 
 namespace revisit_slam::simulation {
 
-enum class WorldKind { kTown, kBridge, kField, kCampus, kRamp, kCorridor };
+enum class WorldKind { kTown, kBridge, kField, kCampus, kRamp, kCorridor, kMotorway };
 
 /// The names as the command line has them, in the order of the enumeration.
 const std::vector<std::string>& worldNames();
