@@ -66,6 +66,34 @@ TEST(ParameterFile, NamesTheFileThatIsMissingOrNoYaml) {
   }
 }
 
+TEST(ParameterFile, RefusesAnAliasThatContainsItself) {
+  const TemporaryFolder folder;
+  const std::string message = messageOfReading(folder.with("a.yaml", "map: &map\n  map: *map\n"));
+  EXPECT_NE(message.find("does an alias contain itself?"), std::string::npos) << message;
+}
+
+TEST(ParameterFile, RefusesAliasesThatStandForMoreThanMemoryHolds) {
+  const TemporaryFolder folder;
+  std::string yaml = "a0: &a0 {b: 1, c: 2, d: 3, e: 4, f: 5, g: 6, h: 7, i: 8, j: 9}\n";
+  for (int i = 1; i < 10; ++i) {
+    const std::string alias = "*a" + std::to_string(i - 1);
+    yaml += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " {b: " + alias;
+    for (const char letter : std::string("cdefghij"))
+      yaml += std::string(", ") + letter + ": " + alias;
+    yaml += "}\n";
+  }
+  const std::string message = messageOfReading(folder.with("a.yaml", yaml));
+  EXPECT_NE(message.find("more than 10000 parameters"), std::string::npos) << message;
+}
+
+TEST(ParameterFile, RefusesDepthAndSizeThatNoParameterFileHas) {
+  const TemporaryFolder folder;
+  EXPECT_NE(messageOfReading(folder.with("deep.yaml", std::string(100'000, '['))), "accepted");
+  const std::string large(2 << 20, '#');
+  const std::string message = messageOfReading(folder.with("large.yaml", large));
+  EXPECT_NE(message.find("more than 1048576 bytes"), std::string::npos) << message;
+}
+
 TEST(ParameterFile, JsonHasTheValuesInForceWithTheirTypes) {
   OdometryConfig config;
   config.map.voxel_size = 0.3;
