@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <Eigen/Eigenvalues>
+#include <cmath>
 #include <fstream>
 #include <unordered_map>
 
@@ -20,10 +22,19 @@ struct Edge {
   int line;
 };
 
+/// Whether no direction has a negative weight, but for rounding of the file's digits.
+bool isInformation(const Matrix6& matrix) {
+  constexpr double kRounding = 1e-6;
+  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(matrix, Eigen::EigenvaluesOnly);
+  const Tangent& eigenvalues = solver.eigenvalues();  // ascending
+  return eigenvalues[0] >= -kRounding * std::abs(eigenvalues[5]);
+}
+
 /// Collects the lines, which may come in any order, and makes the graph of them.
 class G2oReading {
  public:
   void read(const std::string& text, int number) {
+    if (text.find('\0') != std::string::npos) throw std::runtime_error("a byte of no text");
     G2oLine line(text);
     const std::string type = line.word();
     if (type.empty() || type[0] == '#' || type == "FIX" || type.rfind("PARAMS_", 0) == 0) return;
@@ -66,7 +77,10 @@ class G2oReading {
     const std::uint64_t from = line.id(), to = line.id();
     if (from == to) throw std::runtime_error("an edge from a vertex to itself");
     const Pose T_from_to = line.pose();
-    edges_.push_back({from, to, T_from_to, line.symmetric(), number});
+    const Matrix6 information = line.symmetric();
+    if (!isInformation(information))
+      throw std::runtime_error("the information matrix has a negative eigenvalue");
+    edges_.push_back({from, to, T_from_to, information, number});
   }
 
   NodeId nodeOf(std::uint64_t id) const {
@@ -91,6 +105,7 @@ G2oGraph readG2o(const std::string& path, const RobustKernel& loop_kernel) {
   try {
     while (std::getline(file, text)) reading.read(text, ++number);
     G2oGraph result = reading.vertices();
+    if (result.ids.empty()) throw std::runtime_error("there is no vertex");
     std::vector<RelativePoseFactor> loops;
     for (const Edge& edge : reading.edges()) {
       number = edge.line;

@@ -92,6 +92,12 @@ TEST(G2o, ErrorsNameTheLine) {
   expectAt(6, "vertex 10 is there already", kVertices + "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n");
   expectAt(2, "there is no vertex 11", "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n" + kEdge);
   expectAt(1, "itself", "EDGE_SE3:QUAT 10 10 1 0 0 0 0 0 1 " + kIdentity + "\n" + kVertices);
+  expectAt(1, "negative eigenvalue",
+           "EDGE_SE3:QUAT 10 11 1 0 0 0 0 0 1 -1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n");
+  expectAt(1, "negative eigenvalue",
+           "EDGE_SE3:QUAT 10 11 1 0 0 0 0 0 1 1 2 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n");
+  expectAt(1, "a byte of no text", std::string(100, '\0'));
+  expectAt(0, "there is no vertex", "");
   EXPECT_EQ(messageOfReading(kVertices + kEdge), "accepted");
   EXPECT_THROW(readG2o("/nowhere/a.g2o"), std::runtime_error);
 }
