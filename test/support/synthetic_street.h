@@ -42,8 +42,8 @@ class SyntheticStreet {
     const Pose T_base_street = T_street_base.inverse();
     for (const Eigen::Vector3d& p : points_) {
       if ((p - T_street_base.translation).norm() > 40.0 || sampling_.uniform(0, 1) > 0.2) continue;
-      const Eigen::Vector3d noise(sampling_.gaussian(0.02), sampling_.gaussian(0.02),
-                                  sampling_.gaussian(0.02));
+      Eigen::Vector3d noise;  // one after the other: compilers differ in the order of arguments
+      for (const int axis : {2, 1, 0}) noise[axis] = sampling_.gaussian(0.02);
       points.push_back((T_base_street * (p + noise)).cast<float>());
     }
     return points;
@@ -54,8 +54,10 @@ class SyntheticStreet {
 
   void addRectangle(const Eigen::Vector3d& corner, const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b) {
-    for (int n = static_cast<int>(20.0 * a.norm() * b.norm()); n > 0; --n)
-      points_.push_back(corner + sampling_.uniform(0, 1) * a + sampling_.uniform(0, 1) * b);
+    for (int n = static_cast<int>(20.0 * a.norm() * b.norm()); n > 0; --n) {
+      const double along_b = sampling_.uniform(0, 1), along_a = sampling_.uniform(0, 1);
+      points_.push_back(corner + along_a * a + along_b * b);
+    }
   }
   void addPole(double x, double y) {
     for (int n = 0; n < 60; ++n) points_.emplace_back(x, y, sampling_.uniform(0, 5));
