@@ -66,12 +66,11 @@ void mapDrive(const Options& options, const SlamConfig& config, MappingRecorder&
   std::size_t done = 0;
   for (const rosbag::MessageInstance& instance : bag.messages()) {
     if (done == total) break;
-    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
-    if (!cloud) continue;
-    if (!T_base_sensor) T_base_sensor = bag.findExtrinsics(options.base, cloud->header.frame_id);
+    ScanReading reading = readScan(instance, reader);
+    if (!T_base_sensor) T_base_sensor = bag.findExtrinsics(options.base, reading.frame_id);
     if (!T_base_sensor) throw BagError("the bag does not say where the sensor is");
-    reader.setExtrinsics(*T_base_sensor);
-    slam.insert(reader.read(*cloud));
+    if (reading.scan) reading.scan->T_base_sensor = *T_base_sensor;
+    slam.insert(std::move(reading));
     progress.update(++done);
   }
   slam.finish();

@@ -84,10 +84,10 @@ void run(const std::string& path, const std::string& topic, const SlamConfig& co
   Odometry odometry(config.odometry);
   tbb::task_arena arena(config.odometry.threads);
   for (const rosbag::MessageInstance& instance : bag.messages()) {
-    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
-    if (!cloud || odometry_ms.size() == max_scans) break;
+    if (odometry_ms.size() == max_scans) break;
+    const RawMessage message = rawMessageOf(instance);
     CpuClock clock;
-    const ScanReading reading = reader.read(*cloud);
+    const ScanReading reading = reader.read(message);
     if (!reading.scan) continue;
     arena.execute([&] {
       const OdometryResult result = odometry.align(*reading.scan);

@@ -87,9 +87,7 @@ void insertScans(const Options& options, std::vector<EstimateJudge>& judges) {
   Progress progress("reading", "scans", bag.size(), options.quiet);
   std::size_t done = 0, rejected = 0;
   for (const rosbag::MessageInstance& instance : bag.messages()) {
-    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
-    ScanReading reading = cloud ? reader.read(*cloud)
-                                : reader.read(*instance.instantiate<topic_tools::ShapeShifter>());
+    ScanReading reading = readScan(instance, reader);
     progress.update(++done);
     rejected += !reading.scan;
     if (!reading.scan) continue;

@@ -93,9 +93,8 @@ int main(int argc, char** argv) {
     revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config.priors),
                                  options.out, options.max_scans, options.quiet);
     has_begun = true;
-    const bool is_whole = run.run();
-    if (revisit_slam::interruption() != 0) return 128 + revisit_slam::interruption();
-    return is_whole ? 0 : 1;
+    run.run();
+    return revisit_slam::interruption() != 0 ? 128 + revisit_slam::interruption() : 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   } catch (const std::exception& error) {

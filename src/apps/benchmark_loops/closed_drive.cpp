@@ -17,10 +17,8 @@ namespace revisit_slam {
 namespace {
 
 Pose extrinsics(BagScans& bag, const std::string& base_frame) {
-  for (const rosbag::MessageInstance& instance : bag.messages())
-    if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
-      if (const auto T_base_sensor = bag.findExtrinsics(base_frame, cloud->header.frame_id))
-        return *T_base_sensor;
+  if (const auto T_base_sensor = bag.findExtrinsics(base_frame, bag.sensorFrame()))
+    return *T_base_sensor;
   throw BagError("the bag does not say where the sensor is on '" + base_frame + "'");
 }
 
@@ -105,9 +103,7 @@ ClosedDrive closeLoops(const std::string& path, const std::string& topic, const 
   Progress progress("mapping", "scans", bag.size(), quiet);
   std::size_t done = 0;
   for (const rosbag::MessageInstance& instance : bag.messages()) {
-    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
-    if (!cloud) continue;
-    slam.insert(reader.read(*cloud));
+    slam.insert(readScan(instance, reader));
     progress.update(++done);
   }
   slam.finish();

@@ -28,15 +28,15 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       slam_(config, *this, executor_,
             [this](SessionId session, Stamp) { return targetOf(session); }) {}
 
-bool OfflineRun::run() {
+void OfflineRun::run() {
   progress_.say(source_->description() + ", " + std::to_string(total_) + " scans");
+  if (!source_->notice().empty()) progress_.say(source_->notice() + " and left out");
   placeSensor();
-  const bool all_read = processAll();
+  processAll();
   finishMaps();
   progress_.finish();
   sayPriors();
   writeResults();
-  return all_read;
 }
 
 void OfflineRun::placeSensor() {
@@ -55,27 +55,22 @@ void OfflineRun::placeSensor() {
   reader_.setExtrinsics(*T_base_sensor);
 }
 
-bool OfflineRun::processAll() {
+void OfflineRun::processAll() {
   std::size_t done = 0;
   double cpu_before_reading = threadCpuSeconds();
-  const std::string damage = source_->forEach([&](const ScanMessage& message) {
+  source_->forEach([&](const ScanMessage& message) {
     reading_cpu_seconds_ += threadCpuSeconds() - cpu_before_reading;
-    const auto* motion = std::get_if<MotionMessage>(&message);
-    if (interruption() != 0 || (motion == nullptr && done == total_)) return false;
-    if (motion != nullptr) {
-      process(*motion);
-    } else {
-      process(message);
-      progress_.update(++done);
-    }
+    const bool is_motion = std::holds_alternative<MotionMessage>(message) ||
+                           std::holds_alternative<UnreadableMotion>(message);
+    if (interruption() != 0 || (!is_motion && done == total_)) return false;
+    process(message);
+    if (!is_motion) progress_.update(++done);
     cpu_before_reading = threadCpuSeconds();
     return true;
   });
   if (interruption() != 0)
     progress_.say("interrupted after scan " + std::to_string(done) +
                   ": finishing its map; once more ends at once");
-  if (!damage.empty()) progress_.say("after scan " + std::to_string(done) + ": " + damage);
-  return damage.empty();
 }
 
 void OfflineRun::process(const ScanMessage& message) {
@@ -83,12 +78,14 @@ void OfflineRun::process(const ScanMessage& message) {
   if (const auto* unreadable = std::get_if<UnreadableScan>(&message)) {
     slam_.countDropped("unreadable");
     onRejection(unreadable->reason);
-  } else if (const auto* cloud = std::get_if<sensor_msgs::PointCloud2::ConstPtr>(&message)) {
-    insert(reader_.read(**cloud), clock);
+  } else if (const auto* motion = std::get_if<MotionMessage>(&message)) {
+    process(*motion);
+  } else if (const auto* unreadable_motion = std::get_if<UnreadableMotion>(&message)) {
+    slam_.countDroppedMotion(unreadable_motion->sensor, unreadable_motion->reason);
   } else if (const auto* cloud = std::get_if<PointCloud>(&message)) {
     insert(reader_.read(*cloud), clock);
   } else {
-    insert(reader_.read(*std::get<topic_tools::ShapeShifter::ConstPtr>(message)), clock);
+    insert(reader_.read(std::get<RawMessage>(message)), clock);
   }
 }
 

@@ -24,12 +24,11 @@ class OfflineRun : private SlamObserver {
   OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
              const std::string& folder, std::size_t max_scans, bool quiet);
 
-  /// Returns whether everything was read and every file is whole.
-  bool run();
+  void run();
 
  private:
   void placeSensor();
-  bool processAll();
+  void processAll();
   void process(const ScanMessage& message);
   void process(const MotionMessage& message);
   void sayPriors();

@@ -25,6 +25,36 @@ std::string join(const std::set<std::string>& words) {
 
 }  // namespace
 
+RawMessage rawMessageOf(const rosbag::MessageInstance& instance) {
+  RawMessage raw{instance.getDataType(), instance.getMD5Sum(), instance.getMessageDefinition(), {}};
+  raw.bytes.resize(instance.size());
+  ros::serialization::OStream out(raw.bytes.data(), static_cast<std::uint32_t>(raw.bytes.size()));
+  instance.write(out);
+  return raw;
+}
+
+tf2_msgs::TFMessage transformsOf(const RawMessage& raw) {
+  constexpr std::size_t least = 80;  // bytes of a transform: numbers, and lengths of three names
+  if (MessageBytes(raw.bytes).number<std::uint32_t>() > raw.bytes.size() / least)
+    throw std::runtime_error("more transforms announced than there are");
+  ros::serialization::IStream in(const_cast<std::uint8_t*>(raw.bytes.data()),
+                                 static_cast<std::uint32_t>(raw.bytes.size()));
+  tf2_msgs::TFMessage message;
+  ros::serialization::deserialize(in, message);
+  return message;
+}
+
+ScanReading readScan(const rosbag::MessageInstance& instance, ScanReader& reader) {
+  try {
+    return reader.read(rawMessageOf(instance));
+  } catch (const std::exception& error) {
+    ScanReading reading;
+    reading.rejection = ScanRejection::bad_layout;
+    reading.detail = std::string("the bag is damaged: ") + error.what();
+    return reading;
+  }
+}
+
 BagScans::BagScans(const std::vector<std::string>& paths, const std::string& topic) {
   for (const std::string& path : paths) open(path);
   topic_ = chooseTopic(topic);
@@ -109,12 +139,31 @@ void BagScans::readTransforms() {
   for (const char* topic : {"/tf_static", "/tf"}) {
     for (const auto& bag : bags_) {
       rosbag::View view(*bag, rosbag::TopicQuery(topic));
-      for (const rosbag::MessageInstance& instance : view)
-        if (const auto message = instance.instantiate<tf2_msgs::TFMessage>())
-          for (const geometry_msgs::TransformStamped& transform : message->transforms)
+      for (const rosbag::MessageInstance& instance : view) {
+        if (!instance.isType<tf2_msgs::TFMessage>()) continue;
+        try {
+          for (const auto& transform : transformsOf(rawMessageOf(instance)).transforms)
             keep(transform);
+        } catch (const std::exception&) {
+          ++damaged_transforms_;
+        }
+      }
     }
   }
+}
+
+std::string BagScans::sensorFrame() {
+  for (const rosbag::MessageInstance& instance : *scans_) {
+    try {
+      const RawMessage raw = rawMessageOf(instance);
+      PointMessage message;
+      MessageBytes(raw.bytes).header(message);
+      return message.frame_id;
+    } catch (const std::exception&) {
+      // The next one.
+    }
+  }
+  return "";
 }
 
 std::optional<Pose> BagScans::findExtrinsics(const std::string& base_frame,

@@ -6,11 +6,11 @@
 namespace revisit_slam {
 
 const std::uint8_t* MessageBytes::take(std::size_t count) {
-  if (count > bytes_.size() - next_) {
-    throw std::runtime_error("message ends at byte " + std::to_string(bytes_.size()) + ", " +
+  if (count > size_ - next_) {
+    throw std::runtime_error("message ends at byte " + std::to_string(size_) + ", " +
                              std::to_string(count) + " more wanted at " + std::to_string(next_));
   }
-  const std::uint8_t* start = bytes_.data() + next_;
+  const std::uint8_t* start = data_ + next_;
   next_ += count;
   return start;
 }
@@ -29,14 +29,13 @@ void MessageBytes::header(PointMessage& message) {
 }
 
 void MessageBytes::expectEnd() const {
-  if (next_ < bytes_.size()) {
-    throw std::runtime_error(std::to_string(bytes_.size() - next_) + " bytes after the last field");
+  if (next_ < size_) {
+    throw std::runtime_error(std::to_string(size_ - next_) + " bytes after the last field");
   }
 }
 
-PointMessage parsePointCloud2(const std::vector<std::uint8_t>& bytes) {
+PointMessage parsePointCloud2(MessageBytes reader) {
   PointMessage message;
-  MessageBytes reader(bytes);
   reader.header(message);
   PointView& view = message.points;
   view.height = reader.number<std::uint32_t>();

@@ -15,12 +15,8 @@ namespace {
 constexpr const char* supported_types =
     "sensor_msgs/PointCloud2, livox_ros_driver/CustomMsg, livox_ros_driver2/CustomMsg";
 
-bool isPointCloud2Layout(const topic_tools::ShapeShifter& message) {
-  return message.getMD5Sum() == ros::message_traits::md5sum<sensor_msgs::PointCloud2>();
-}
-
-bool isLivoxLayout(const topic_tools::ShapeShifter& message) {
-  return hasLivoxLayout(message.getMD5Sum(), message.getMessageDefinition());
+bool isPointCloud2Layout(const RawMessage& message) {
+  return message.md5sum == ros::message_traits::md5sum<sensor_msgs::PointCloud2>();
 }
 
 ScanReading rejected(ScanRejection rejection, const std::string& detail) {
@@ -40,14 +36,6 @@ ScanReading withoutThrowing(ScanRejection rejection, Read read) {
   }
 }
 
-std::vector<std::uint8_t> bytesOf(const topic_tools::ShapeShifter& message,
-                                  std::vector<std::uint8_t> buffer) {
-  buffer.resize(message.size());
-  ros::serialization::OStream stream(buffer.data(), message.size());
-  message.write(stream);
-  return buffer;
-}
-
 /// The timebase where it is on the clock of the header stamps; a sensor without synchronisation
 /// counts from its own start.
 ReferenceStamp referenceOf(const LivoxCustomMsg& message, const ScanInputConfig& config) {
@@ -58,7 +46,25 @@ ReferenceStamp referenceOf(const LivoxCustomMsg& message, const ScanInputConfig&
   return {message.header_stamp, "header", TimeUnit::ns};
 }
 
+void copyBytes(const topic_tools::ShapeShifter& message, std::vector<std::uint8_t>& bytes) {
+  bytes.resize(message.size());
+  ros::serialization::OStream stream(bytes.data(), message.size());
+  message.write(stream);
+}
+
 }  // namespace
+
+std::string frameOf(const topic_tools::ShapeShifter& message) {
+  try {
+    std::vector<std::uint8_t> bytes;
+    copyBytes(message, bytes);
+    PointMessage read;
+    MessageBytes(bytes).header(read);
+    return read.frame_id;
+  } catch (const std::exception&) {
+    return "";
+  }
+}
 
 ScanReader::ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor)
     : config_(config), reader_(config), T_base_sensor_(T_base_sensor) {}
@@ -75,18 +81,28 @@ ScanReading ScanReader::read(const sensor_msgs::PointCloud2& cloud) {
 
 ScanReading ScanReader::read(const topic_tools::ShapeShifter& message) {
   return withoutThrowing(ScanRejection::bad_layout, [&] {
-    const bool is_livox = isLivoxCustomMsg(message.getDataType());
-    if (!is_livox && message.getDataType() != "sensor_msgs/PointCloud2") {
+    raw_.datatype = message.getDataType();
+    raw_.md5sum = message.getMD5Sum();
+    raw_.definition = message.getMessageDefinition();
+    copyBytes(message, raw_.bytes);
+    return read(raw_);
+  });
+}
+
+ScanReading ScanReader::read(const RawMessage& message) {
+  return withoutThrowing(ScanRejection::bad_layout, [&] {
+    const bool is_livox = isLivoxCustomMsg(message.datatype);
+    if (!is_livox && message.datatype != "sensor_msgs/PointCloud2") {
       return rejected(ScanRejection::unsupported_type,
-                      "'" + message.getDataType() + "'; supported: " + supported_types);
+                      "'" + message.datatype + "'; supported: " + supported_types);
     }
-    if (!(is_livox ? isLivoxLayout(message) : isPointCloud2Layout(message))) {
-      return rejected(
-          ScanRejection::unsupported_type,
-          message.getDataType() + " of an unknown layout, md5sum " + message.getMD5Sum());
+    if (!(is_livox ? hasLivoxLayout(message.md5sum, message.definition)
+                   : isPointCloud2Layout(message))) {
+      return rejected(ScanRejection::unsupported_type,
+                      message.datatype + " of an unknown layout, md5sum " + message.md5sum);
     }
-    bytes_ = bytesOf(message, std::move(bytes_));
-    return is_livox ? readLivox(parseLivoxCustomMsg(bytes_)) : readCloud(parsePointCloud2(bytes_));
+    return is_livox ? readLivox(parseLivoxCustomMsg(message.bytes))
+                    : readCloud(parsePointCloud2(MessageBytes(message.bytes)));
   });
 }
 

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/input/scan_source.h"
 
+#include <boost/make_shared.hpp>
+
 #include "revisit_slam/datasets/open_dataset.h"
+#include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/ros/input/bag_scans.h"
 
 namespace revisit_slam {
 namespace {
 
-ScanMessage messageOf(const rosbag::MessageInstance& instance) {
+MotionMessage motionOf(const rosbag::MessageInstance& instance) {
   if (const auto odometry = instance.instantiate<nav_msgs::Odometry>())
-    return MotionMessage(nav_msgs::Odometry::ConstPtr(odometry));
+    return nav_msgs::Odometry::ConstPtr(odometry);
   if (const auto imu = instance.instantiate<sensor_msgs::Imu>())
-    return MotionMessage(sensor_msgs::Imu::ConstPtr(imu));
-  if (const auto transforms = instance.instantiate<tf2_msgs::TFMessage>())
-    return MotionMessage(tf2_msgs::TFMessage::ConstPtr(transforms));
-  if (const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>())
-    return sensor_msgs::PointCloud2::ConstPtr(cloud);
-  return topic_tools::ShapeShifter::ConstPtr(instance.instantiate<topic_tools::ShapeShifter>());
+    return sensor_msgs::Imu::ConstPtr(imu);
+  return boost::make_shared<const tf2_msgs::TFMessage>(transformsOf(rawMessageOf(instance)));
 }
 
-/// Every message with scans starts with a header.
-std::string frameOf(const rosbag::MessageInstance& instance) {
-  std::vector<std::uint8_t> bytes(instance.size());
-  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  instance.write(out);
-  ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  std_msgs::Header header;
-  ros::serialization::deserialize(in, header);
-  return header.frame_id;
+ScanMessage messageOf(const rosbag::MessageInstance& instance) {
+  const bool is_imu = instance.isType<sensor_msgs::Imu>();
+  const bool is_motion =
+      is_imu || instance.isType<nav_msgs::Odometry>() || instance.isType<tf2_msgs::TFMessage>();
+  try {
+    return is_motion ? ScanMessage(motionOf(instance)) : rawMessageOf(instance);
+  } catch (const std::exception& error) {  // of this message, or of the piece that it is in
+    const std::string reason = std::string("the bag is damaged: ") + error.what();
+    if (!is_motion) return UnreadableScan{reason};
+    return UnreadableMotion{is_imu ? MotionPriors::kGyro : MotionPriors::kOdometry, reason};
+  }
 }
 
 class BagSource : public ScanSource {
@@ -40,9 +41,11 @@ class BagSource : public ScanSource {
   std::size_t size() override { return bags_.size(); }
   bool hasTransforms() const override { return bags_.hasTransforms(); }
 
-  std::string sensorFrame() override {
-    const auto first = bags_.messages().begin();
-    return first == bags_.messages().end() ? "" : frameOf(*first);
+  std::string sensorFrame() override { return bags_.sensorFrame(); }
+
+  std::string notice() const override {
+    const std::size_t damaged = bags_.damagedTransforms();
+    return damaged == 0 ? "" : std::to_string(damaged) + " messages with transforms are damaged";
   }
 
   std::optional<Pose> findExtrinsics(const std::string& base_frame,
@@ -50,14 +53,9 @@ class BagSource : public ScanSource {
     return bags_.findExtrinsics(base_frame, sensor_frame);
   }
 
-  std::string forEach(const std::function<bool(const ScanMessage&)>& consume) override {
-    try {
-      for (const rosbag::MessageInstance& instance : *messages_)
-        if (!consume(messageOf(instance))) break;
-    } catch (const rosbag::BagException& error) {
-      return std::string("the bag is damaged: ") + error.what();
-    }
-    return "";
+  void forEach(const std::function<bool(const ScanMessage&)>& consume) override {
+    for (const rosbag::MessageInstance& instance : *messages_)
+      if (!consume(messageOf(instance))) break;
   }
 
  private:
@@ -78,10 +76,9 @@ class DatasetSource : public ScanSource {
     return std::nullopt;
   }
 
-  std::string forEach(const std::function<bool(const ScanMessage&)>& consume) override {
+  void forEach(const std::function<bool(const ScanMessage&)>& consume) override {
     for (std::size_t i = 0; i < scans_->size(); ++i)
       if (!consume(read(i))) break;
-    return "";
   }
 
  private:

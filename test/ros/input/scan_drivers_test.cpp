@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "revisit_slam/ros/input/scan_reader.h"
-#include "support/livox_message_builder.h"
 #include "support/point_cloud_builder.h"
+#include "support/raw_messages.h"
 
 namespace revisit_slam {
 namespace {

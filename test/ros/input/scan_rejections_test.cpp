@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "revisit_slam/ros/input/scan_reader.h"
-#include "support/livox_message_builder.h"
 #include "support/point_cloud_builder.h"
+#include "support/raw_messages.h"
 
 namespace revisit_slam {
 namespace {
@@ -73,11 +73,7 @@ TEST(Rejections, otherMessageTypes) {
 }
 
 TEST(Rejections, pointCloud2OfAnyWrongLength) {
-  const auto cloud = PointCloudBuilder().xyz().build(sweep(0, 1, 3));
-  const auto size = ros::serialization::serializationLength(cloud);
-  std::vector<std::uint8_t> bytes(size);
-  ros::serialization::OStream out(bytes.data(), size);
-  ros::serialization::serialize(out, cloud);
+  const auto bytes = bytesOf(PointCloudBuilder().xyz().build(sweep(0, 1, 3)));
   const char* md5sum = ros::message_traits::md5sum<sensor_msgs::PointCloud2>();
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     const std::vector<std::uint8_t> start(bytes.begin(), bytes.begin() + static_cast<long>(length));
@@ -99,6 +95,11 @@ TEST(Rejections, livoxOfAnyWrongLength) {
   longer.push_back(0);
   expectRejected(shapeShifter(longer, "livox_ros_driver/CustomMsg"), ScanRejection::bad_layout,
                  "1 bytes after the last field");
+}
+
+TEST(Rejections, pointCloud2ThatAnnouncesMoreThanItHas) {
+  expectRejected(claiming<sensor_msgs::PointCloud2>(bytesThatAnnounceMore(goodCloud())),
+                 ScanRejection::bad_layout, "4000000000 more wanted");
 }
 
 TEST(Rejections, livoxOfAnotherLayout) {

@@ -6,6 +6,7 @@
 
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "support/livox_message_builder.h"
+#include "support/raw_messages.h"
 #include "support/point_cloud_builder.h"
 
 namespace revisit_slam {
@@ -207,12 +208,7 @@ TEST(ScanTimes, livoxDefinitionStandsInForAnUnknownMd5sum) {
 
 TEST(ScanTimes, pointCloud2ThroughAShapeShifter) {
   const auto cloud = PointCloudBuilder(start).xyz().field("t", Field::UINT32).build(sweep(0, 9e7));
-  const auto length = ros::serialization::serializationLength(cloud);
-  std::vector<std::uint8_t> bytes(length);
-  ros::serialization::OStream out(bytes.data(), length);
-  ros::serialization::serialize(out, cloud);
-  const auto message = shapeShifter(bytes, "sensor_msgs/PointCloud2",
-                                    ros::message_traits::md5sum<sensor_msgs::PointCloud2>(), "");
+  const auto message = claiming<sensor_msgs::PointCloud2>(bytesOf(cloud));
   ScanReader reader({});
   reader.setExtrinsics({Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3)});
   const ScanReading reading = reader.read(message);

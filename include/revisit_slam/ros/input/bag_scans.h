@@ -4,6 +4,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "revisit_slam/priors/priors_config.h"
+#include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
@@ -21,6 +23,16 @@ class BagError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// The bytes of a recorded message. @throws std::exception where the bag is damaged there.
+RawMessage rawMessageOf(const rosbag::MessageInstance& instance);
+
+/// @throws std::exception unless there are the bytes for the transforms that are announced, for
+/// which memory is taken before they are read.
+tf2_msgs::TFMessage transformsOf(const RawMessage& raw);
+
+/// Reads a recorded scan; one where the bag is damaged is a rejection too.
+ScanReading readScan(const rosbag::MessageInstance& instance, ScanReader& reader);
 
 /// The scans of one topic in one or more bags, in the order in which they were recorded.
 class BagScans {
@@ -36,6 +48,10 @@ class BagScans {
   std::unique_ptr<rosbag::View> messagesWith(const PriorsConfig& priors) const;
 
   bool hasTransforms() const { return has_transforms_; }
+  /// Messages with transforms that are damaged: those in them are left out.
+  std::size_t damagedTransforms() const { return damaged_transforms_; }
+  /// The frame_id of the first scan that has a header.
+  std::string sensorFrame();
   /// Pose of a sensor on the robot as the bags' /tf_static and /tf have it; nothing when they do
   /// not connect the two frames.
   std::optional<Pose> findExtrinsics(const std::string& base_frame,
@@ -52,6 +68,7 @@ class BagScans {
   std::string topic_;
   std::unique_ptr<rosbag::View> scans_;
   bool has_transforms_ = false;
+  std::size_t damaged_transforms_ = 0;
   tf2::BufferCore transforms_;
 };
 

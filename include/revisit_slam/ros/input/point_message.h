@@ -11,6 +11,12 @@
 
 namespace revisit_slam {
 
+/// A message as it was sent, of a type that its sender names.
+struct RawMessage {
+  std::string datatype, md5sum, definition;
+  std::vector<std::uint8_t> bytes;
+};
+
 /// What every message with points has. The view is into the bytes that were parsed.
 struct PointMessage {
   Stamp header_stamp;
@@ -22,7 +28,9 @@ struct PointMessage {
 /// std::runtime_error instead, before any memory is taken for what a damaged length announces.
 class MessageBytes {
  public:
-  explicit MessageBytes(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  explicit MessageBytes(const std::vector<std::uint8_t>& bytes)
+      : MessageBytes(bytes.data(), bytes.size()) {}
+  MessageBytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
 
   /// Where the next `count` bytes begin.
   const std::uint8_t* take(std::size_t count);
@@ -37,12 +45,13 @@ class MessageBytes {
   void expectEnd() const;
 
  private:
-  const std::vector<std::uint8_t>& bytes_;
+  const std::uint8_t* data_;
+  const std::size_t size_;
   std::size_t next_ = 0;
 };
 
 /// sensor_msgs/PointCloud2 without a copy of its data. Throws std::runtime_error unless the bytes
 /// are exactly one message.
-PointMessage parsePointCloud2(const std::vector<std::uint8_t>& bytes);
+PointMessage parsePointCloud2(MessageBytes reader);
 
 }  // namespace revisit_slam

@@ -17,6 +17,9 @@
 
 namespace revisit_slam {
 
+/// The frame_id of a message with scans; empty where it has no header.
+std::string frameOf(const topic_tools::ShapeShifter& message);
+
 /// Makes scans of the messages on one topic, or of the clouds of one dataset, in the order in which
 /// they come. None of them makes it throw. Not for use by several threads at a time.
 class ScanReader {
@@ -27,6 +30,7 @@ class ScanReader {
   ScanReading read(const PointCloud& cloud);
   ScanReading read(const sensor_msgs::PointCloud2& cloud);
   /// PointCloud2 or the CustomMsg of either Livox driver.
+  ScanReading read(const RawMessage& message);
   ScanReading read(const topic_tools::ShapeShifter& message);
 
   /// One line on where the point times come from, or why there is no deskewing. It changes when
@@ -45,7 +49,7 @@ class ScanReader {
   ScanInputConfig config_;
   PointReader reader_;
   Pose T_base_sensor_;
-  std::vector<std::uint8_t> bytes_;
+  RawMessage raw_;
 };
 
 }  // namespace revisit_slam

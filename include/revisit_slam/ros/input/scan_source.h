@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sensor_msgs/PointCloud2.h>
-#include <topic_tools/shape_shifter.h>
-
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +11,7 @@
 #include "revisit_slam/input/point_cloud.h"
 #include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/ros/input/motion_reader.h"
+#include "revisit_slam/ros/input/point_message.h"
 #include "revisit_slam/types/pose.h"
 
 namespace revisit_slam {
@@ -22,11 +20,15 @@ namespace revisit_slam {
 struct UnreadableScan {
   std::string reason;
 };
+/// Likewise of a message that measures motion.
+struct UnreadableMotion {
+  const char* sensor;  ///< MotionPriors' name of it
+  std::string reason;
+};
 /// A recorded scan, a message of a bag or the cloud of a dataset, or a message that measures
 /// motion.
 using ScanMessage =
-    std::variant<sensor_msgs::PointCloud2::ConstPtr, topic_tools::ShapeShifter::ConstPtr,
-                 PointCloud, UnreadableScan, MotionMessage>;
+    std::variant<RawMessage, PointCloud, UnreadableScan, MotionMessage, UnreadableMotion>;
 
 /// Recorded scans in order, of a topic in bags, with what measures motion, or of a dataset.
 class ScanSource {
@@ -42,8 +44,10 @@ class ScanSource {
   virtual bool hasTransforms() const = 0;
   virtual std::optional<Pose> findExtrinsics(const std::string& base_frame,
                                              const std::string& sensor_frame) const = 0;
-  /// Hands all over until `consume` returns false. @return why it ended early, or nothing.
-  virtual std::string forEach(const std::function<bool(const ScanMessage&)>& consume) = 0;
+  /// What of it cannot be used, beside scans; empty where nothing is.
+  virtual std::string notice() const { return ""; }
+  /// Hands all over until `consume` returns false. What is damaged is no reason to end.
+  virtual void forEach(const std::function<bool(const ScanMessage&)>& consume) = 0;
 };
 
 /// An empty topic stands for the only topic with scans. @throws BagError

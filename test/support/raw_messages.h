@@ -5,7 +5,9 @@
 #include <topic_tools/shape_shifter.h>
 
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/point_cloud_builder.h"
@@ -55,6 +57,31 @@ inline topic_tools::ShapeShifter shapeShifter(std::vector<std::uint8_t> bytes,
   ros::serialization::IStream in(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   message.read(in);
   return message;
+}
+
+/// Any message as it is sent.
+template <typename Message>
+std::vector<std::uint8_t> bytesOf(const Message& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+  return bytes;
+}
+
+/// Bytes that claim to be a message of this type.
+template <typename Message>
+topic_tools::ShapeShifter claiming(std::vector<std::uint8_t> bytes) {
+  return shapeShifter(std::move(bytes), ros::message_traits::datatype<Message>(),
+                      ros::message_traits::md5sum<Message>(),
+                      ros::message_traits::definition<Message>());
+}
+
+/// The bytes of this cloud, but for the length of its data, which is said to be 4e9.
+inline std::vector<std::uint8_t> bytesThatAnnounceMore(const sensor_msgs::PointCloud2& cloud) {
+  std::vector<std::uint8_t> bytes = bytesOf(cloud);
+  const std::uint32_t announced = 4'000'000'000;
+  std::memcpy(&bytes[bytes.size() - cloud.data.size() - 5], &announced, sizeof(announced));
+  return bytes;
 }
 
 }  // namespace revisit_slam
