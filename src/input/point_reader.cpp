@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/input/point_reader.h"
 
+#include <cstdint>
 #include <utility>
 
 namespace revisit_slam {
@@ -31,6 +32,22 @@ ScanReading check(const PointView& view) {
   return reading;
 }
 
+/// What stamps of ROS can be: since 1970, with a room for seconds of 32 bits. Differences of such
+/// stamps overflow nowhere.
+bool isInRange(Stamp stamp) {
+  constexpr std::int64_t end = (std::int64_t{1} << 32) * 1'000'000'000;
+  return 0 <= stamp.nanoseconds && stamp.nanoseconds < end;
+}
+
+ScanReading outOfRange(Stamp stamp) {
+  ScanReading reading;
+  reading.rejection = ScanRejection::bad_stamp;
+  reading.detail = std::to_string(stamp.nanoseconds) +
+                   " ns are no time since 1970 with 32 bits of " +
+                   "seconds; are point times or the timebase wrong?";
+  return reading;
+}
+
 }  // namespace
 
 ScanReading PointReader::read(const PointView& view, const ReferenceStamp& reference) {
@@ -44,7 +61,9 @@ ScanReading PointReader::read(const PointView& view, const ReferenceStamp& refer
                      std::to_string(kept.counts.at_origin) + " at the origin";
     return reading;
   }
+  if (!isInRange(reference.stamp)) return outOfRange(reference.stamp);
   SweepTimes sweep = timer_.time(view, reference, kept);
+  if (!isInRange(sweep.stamp)) return outOfRange(sweep.stamp);
   reading.counts = kept.counts;
   reading.scan.emplace();
   reading.scan->stamp = sweep.stamp;

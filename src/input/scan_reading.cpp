@@ -15,6 +15,8 @@ const char* describe(ScanRejection rejection) {
       return "no x, y, z";
     case ScanRejection::bad_layout:
       return "bad layout";
+    case ScanRejection::bad_stamp:
+      return "stamp out of range";
     case ScanRejection::unsupported_type:
       return "unsupported message type";
     case ScanRejection::internal_error:

@@ -16,6 +16,7 @@ enum class ScanRejection {
   no_finite_points,
   missing_xyz,
   bad_layout,
+  bad_stamp,
   unsupported_type,
   internal_error,
 };

@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "revisit_slam/ros/input/scan_reader.h"
-#include "support/livox_message_builder.h"
-#include "support/raw_messages.h"
 #include "support/point_cloud_builder.h"
+#include "support/raw_messages.h"
 
 namespace revisit_slam {
 namespace {
@@ -198,6 +197,21 @@ TEST(ScanTimes, livoxTimebaseCountsWhereItDiffersALittle) {
   const auto bytes = livoxBytes(start + period, start, sweep(0, 99.8e6));
   const ScanReading reading = reader.read(shapeShifter(bytes, "livox_ros_driver2/CustomMsg"));
   EXPECT_EQ(reading.scan->stamp.nanoseconds, start + 99'800'000);
+}
+
+TEST(ScanTimes, livoxTimebaseAtTheEndOfItsRangeOverflowsNothing) {
+  constexpr std::int64_t end = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t timebase : {end, end - 50'000'000, std::int64_t{-1}, -end}) {
+    const auto message =
+        shapeShifter(livoxBytes(start, timebase, sweep(0, 99.8e6)), "livox_ros_driver2/CustomMsg");
+    ScanReader reader({});
+    EXPECT_NEAR(afterHeader(reader.read(message)), 0.0998, 1e-9);  // not the clock of the header
+    ScanInputConfig absolute;
+    absolute.time_origin = "absolute";
+    const ScanReading reading = ScanReader(absolute).read(message);
+    EXPECT_FALSE(reading.scan);
+    EXPECT_EQ(reading.rejection, ScanRejection::bad_stamp);
+  }
 }
 
 TEST(ScanTimes, livoxDefinitionStandsInForAnUnknownMd5sum) {
