@@ -35,7 +35,9 @@ Stamp stampOf(const TextRow& row) {
   if (colon == std::string::npos) row.fail("not a date and a time of day");
   const std::int64_t minute = secondsSince1970(row, row.words[1].substr(0, colon));
   const TextRow seconds{row.path, row.line, {row.words[1].substr(colon + 1)}};
-  return {minute * 1'000'000'000 + seconds.seconds(0).nanoseconds};
+  const Stamp after_minute = seconds.seconds(0);
+  if (after_minute.toSeconds() > 61.0) row.fail("not a date and a time of day");
+  return {minute * 1'000'000'000 + after_minute.nanoseconds};
 }
 
 /// East, north, up in metres; `scale` is the cosine of the first latitude.

@@ -39,7 +39,11 @@ class NewerCollege : public DatasetScans {
     const Pose T_camera_ouster = cameraToOuster();
     Trajectory truth;
     forEachRow(*truth_, 9, [&](const TextRow& row) {
-      const std::int64_t stamp = row.integer(0) * 1'000'000'000 + row.integer(1);
+      constexpr std::int64_t second = 1'000'000'000;  // ns
+      const std::int64_t seconds = row.integer(0), nanoseconds = row.integer(1);
+      if (seconds < 0 || seconds >= 9 * second || nanoseconds < 0 || nanoseconds >= second)
+        row.fail("no seconds and nanoseconds");
+      const std::int64_t stamp = seconds * second + nanoseconds;
       truth.push_back({{stamp}, row.positionAndQuaternion(2) * T_camera_ouster});
     });
     return truth;

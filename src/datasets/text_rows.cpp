@@ -12,6 +12,9 @@
 namespace revisit_slam {
 namespace {
 
+/// Longer ones are none, and std::regex takes a piece of the stack for every letter.
+constexpr std::size_t kLongestNumber = 64;
+
 std::vector<std::string> wordsOf(const std::string& line) {
   constexpr const char* separators = " \t\r,";
   std::vector<std::string> words;
@@ -38,13 +41,15 @@ double TextRow::number(std::size_t column) const {
 
 std::int64_t TextRow::integer(std::size_t column) const {
   static const std::regex whole("-?[0-9]{1,18}|-?[1-8][0-9]{18}");
-  if (!std::regex_match(words[column], whole)) fail("'" + words[column] + "' is no whole number");
+  if (words[column].size() > kLongestNumber || !std::regex_match(words[column], whole))
+    fail("'" + words[column] + "' is no whole number");
   return std::stoll(words[column]);
 }
 
 Stamp TextRow::seconds(std::size_t column) const {
   static const std::regex decimal("([0-9]{1,9}|[1-8][0-9]{9})(?:\\.([0-9]*))?");
   std::smatch parts;
+  if (words[column].size() > kLongestNumber) fail("'" + words[column] + "' are no seconds");
   if (std::regex_match(words[column], parts, decimal)) {
     std::string fraction = parts[2].str().substr(0, 9);
     fraction.resize(9, '0');

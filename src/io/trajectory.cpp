@@ -23,7 +23,9 @@ namespace {
 /// Decimal seconds to nanoseconds, digit by digit: a double has no room for nanoseconds since 1970.
 std::optional<Stamp> parseStamp(const std::string& text) {
   static const std::regex decimal("([+-]?)([0-9]{1,9}|1[0-9]{9}|[2-8][0-9]{9})(?:\\.([0-9]*))?");
+  constexpr std::size_t longest = 64;  // std::regex takes a piece of the stack for every letter
   std::smatch parts;
+  if (text.size() > longest) return std::nullopt;
   if (std::regex_match(text, parts, decimal)) {
     std::string fraction = parts[3].str().substr(0, 9);
     fraction.resize(9, '0');
@@ -45,7 +47,7 @@ std::optional<StampedPose> parseTumLine(const std::string& line) {
   if (!(fields >> stamp_text >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w()))
     return std::nullopt;
   const std::optional<Stamp> stamp = parseStamp(stamp_text);
-  if (!stamp || q.norm() == 0.0) return std::nullopt;
+  if (!stamp || !t.allFinite() || !std::isfinite(q.norm()) || q.norm() == 0.0) return std::nullopt;
   pose.stamp = *stamp;
   q.normalize();
   return pose;

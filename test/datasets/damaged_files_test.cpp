@@ -124,6 +124,24 @@ TEST(DamagedGroundTruth, FileAndLineAreNamedAndScansAreRead) {
   }
 }
 
+TEST(DamagedGroundTruth, NumbersThatNobodyWritesOverflowNothing) {
+  const TemporaryFolder folder;
+  writeNewerCollege(folder, simulatedScans("spinning-16", 50));
+  for (const char* stamp : {"8999999999999999999,0", "-1,0", "1,8999999999999999999", "1,-1"}) {
+    ByteFile()
+        .text(std::string(stamp) + ",0,0,0,0,0,0,1\n")
+        .save(folder.file("ground_truth/registered_poses.csv"));
+    EXPECT_THROW(openDataset("newer-college", folder.file(""))->groundTruth(), DatasetError);
+  }
+  writeKittiRaw(folder, simulatedScans("spinning-16", 50));
+  for (const std::string& seconds : {std::string("8999999999"), std::string(1 << 20, '1')}) {
+    ByteFile()
+        .text("2099-12-31 23:59:" + seconds + "\n")
+        .save(folder.file("drive/velodyne_points/timestamps_end.txt"));
+    EXPECT_THROW(openDataset("kitti-raw", folder.file("drive")), DatasetError);
+  }
+}
+
 TEST(UnknownDataset, TheKnownOnesAreListed) {
   try {
     openDataset("nuscenes", "/nowhere");

@@ -89,6 +89,15 @@ TEST(Tum, NamesTheFileAndTheLineThatCannotBeRead) {
   EXPECT_NE(messageOfReading(missing).find(missing), std::string::npos);
 }
 
+TEST(Tum, RefusesNumbersThatNobodyWrites) {
+  const TemporaryFolder folder;
+  for (const std::string& bad :
+       {"1." + std::string(1 << 20, '0') + " 0 0 0 0 0 0 1", std::string("1 0 0 0 0 0 0 1e308"),
+        std::string("1 0 0 0 1e308 1e308 1e308 1e308"), std::string("1e300 0 0 0 0 0 0 1")})
+    EXPECT_THROW(readTum(folder.with("a.tum", bad + "\n")), std::runtime_error)
+        << bad.substr(0, 40);
+}
+
 TEST(Tum, WritersNameTheFileThatTheyCannotWrite) {
   const std::string path = TemporaryFolder().file("gone/a.tum");
   EXPECT_THROW(writeTum(path, someTrajectory()), std::runtime_error);
