@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 #include "revisit_slam/occupancy/ground_heights.h"
 
@@ -35,13 +37,21 @@ std::int8_t stateOf(const BlockStack& stack, int c, const Band& band) {
 
 }  // namespace
 
-ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& config) {
+ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& config,
+                            double most_cells) {
   const std::vector<BlockStack> stacks = stacksOf(map.blocks());
   if (stacks.empty()) return {};
   Eigen::Vector2i first = stacks.front().place, last = first;
   for (const BlockStack& stack : stacks) {
     first = first.cwiseMin(stack.place);
     last = last.cwiseMax(stack.place);
+  }
+  const Eigen::Array2d blocks = (last.cast<double>() - first.cast<double>()).array() + 1.0;
+  const double cells = (kBlockEdge * blocks).prod();
+  if (cells > most_cells) {
+    std::ostringstream text;
+    text << "the grid would have " << cells << " cells, " << most_cells << " are allowed";
+    throw std::runtime_error(text.str());
   }
   ProjectedGrid grid;
   grid.resolution = map.resolution();

@@ -26,8 +26,6 @@ namespace revisit_slam {
 namespace {
 
 constexpr double kTile = 200.0;  // m, of the map in memory at a time
-/// Cells that a grid may have: of one byte each.
-constexpr double kLargestGrid = 1e9;
 /// Larger than submaps are long, so that every passage through a cell has a keypose in it.
 constexpr double kConsistencyCell = 40.0;  // m
 
@@ -259,12 +257,6 @@ class MapExport {
   }
 
   void writeProjectedGrid(const OccupancyMap& map) {
-    Eigen::AlignedBox2d box;
-    for (const OccupancyBlock& block : map.blocks())
-      box.extend(block.block.head<2>().cast<double>().eval());
-    if (!box.isEmpty() &&
-        (box.sizes().array() + 1.0).prod() * kBlockEdge * kBlockEdge > kLargestGrid)
-      throw std::runtime_error("the grid would have more than 1e9 cells");
     writeGrid(file("map"), projectedGrid(map, parameters_.occupancy.grid));
   }
 

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "occupancy/occupancy_scenes.h"
+#include "support/contains.h"
 
 namespace revisit_slam {
 namespace {
@@ -47,6 +48,16 @@ int stateAt(const ProjectedGrid& grid, double x, double y) {
 std::size_t occupiedCells(const ProjectedGrid& grid) {
   return static_cast<std::size_t>(
       std::count(grid.cells.begin(), grid.cells.end(), ProjectedGrid::kOccupied));
+}
+
+TEST(ProjectedGrid, ThatNoMemoryHoldsIsRefusedWithItsSize) {
+  const auto voxels = {VoxelCounts{{0, 0, 0}, 3, 0}, VoxelCounts{{80'000, 80'000, 0}, 3, 0}};
+  try {
+    gridOf(voxels);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(contains(error.what(), "1e+09 are allowed")) << error.what();
+  }
 }
 
 TEST(ProjectedGrid, IsLaidOutRowByRow) {

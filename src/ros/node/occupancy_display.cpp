@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/occupancy_display.h"
 
+#include <ros/console.h>
+
 #include <stdexcept>
 
 #include "revisit_slam/ros/messages/occupancy_messages.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 
 namespace revisit_slam {
+namespace {
+
+/// A message of 200 MB, 7 km by 7 km of voxels of half a metre: it goes out with each correction.
+constexpr double kMostCells = 2e8;
+
+/// What a map that is too large does not fit into is no reason to leave out the rest.
+template <typename Publish>
+void publishWhereItFits(const Publish& publish) {
+  try {
+    publish();
+  } catch (const std::runtime_error& error) {
+    ROS_WARN_THROTTLE(60.0, "not published: %s", error.what());
+  }
+}
+
+}  // namespace
 
 OccupancyDisplay::OccupancyDisplay(ros::NodeHandle& node, const std::string& frame,
                                    const OccupancyConfig& config,
@@ -38,17 +56,12 @@ void OccupancyDisplay::draw(const GraphSession& session) {
   const Stamp stamp = session.graph().nodes().back().stamp;
   if (cells) cells_.publish(toPointCloud(occupiedCentres(map_), stamp, frame_));
   if (voxels) voxels_.publish(toVoxelMarkers(map_, stamp, frame_));
-  if (grid) grid_.publish(toOccupancyGrid(projectedGrid(map_, config_.grid), stamp, frame_));
-  if (octomap) publishOctomap(stamp);
-}
-
-void OccupancyDisplay::publishOctomap([[maybe_unused]] Stamp stamp) {
+  if (grid)
+    publishWhereItFits([&] {
+      grid_.publish(toOccupancyGrid(projectedGrid(map_, config_.grid, kMostCells), stamp, frame_));
+    });
 #ifdef REVISIT_SLAM_OCTOMAP_MSGS
-  try {
-    octomap_.publish(toOctomap(map_, stamp, frame_));
-  } catch (const std::runtime_error& error) {
-    ROS_WARN_STREAM_ONCE("no octree is published: " << error.what());
-  }
+  if (octomap) publishWhereItFits([&] { octomap_.publish(toOctomap(map_, stamp, frame_)); });
 #endif
 }
 

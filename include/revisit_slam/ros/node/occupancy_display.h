@@ -25,7 +25,6 @@ class OccupancyDisplay {
 
  private:
   void place(const GraphSession& session);
-  void publishOctomap(Stamp stamp);
 
   std::string frame_;
   OccupancyConfig config_;
