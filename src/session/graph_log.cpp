@@ -36,6 +36,14 @@ void put(const LoopConstraint& loop, ByteWriter& bytes) {
   bytes.put(static_cast<std::int32_t>(loop.inliers));
 }
 
+template <typename Choice>
+Choice choice(ByteReader& bytes, Choice last) {
+  const auto number = bytes.get<std::uint8_t>();
+  if (number > static_cast<std::uint8_t>(last))
+    throw std::runtime_error("a record has a choice that there is not");
+  return static_cast<Choice>(number);
+}
+
 LoopConstraint getLoop(ByteReader& bytes) {
   LoopConstraint loop;
   loop.constraint.from = bytes.id<ScanId>();
@@ -46,7 +54,7 @@ LoopConstraint getLoop(ByteReader& bytes) {
   loop.source = bytes.id<SubmapId>();
   loop.target_map = bytes.id<LocalMapId>();
   loop.source_map = bytes.id<LocalMapId>();
-  loop.origin = static_cast<LoopOrigin>(bytes.get<std::uint8_t>());
+  loop.origin = choice(bytes, LoopOrigin::retroactive);
   loop.fitness = bytes.get<double>();
   loop.inliers = bytes.get<std::int32_t>();
   return loop;
@@ -72,6 +80,13 @@ SubmapClosed getSubmap(ByteReader& bytes) {
   submap.stamp = bytes.stamp();
   for (Eigen::Vector3f* corner : {&submap.box_submap.min(), &submap.box_submap.max()})
     for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = bytes.get<float>();
+  constexpr float farthest = 1e4f;  // m, from its keypose
+  const auto is_far = [](const Eigen::Vector3f& corner) {
+    return !(corner.cwiseAbs().maxCoeff() < farthest);
+  };
+  if (!submap.box_submap.isEmpty() &&
+      (is_far(submap.box_submap.min()) || is_far(submap.box_submap.max())))
+    throw std::runtime_error("a submap has no bounds");
   return submap;
 }
 
@@ -128,7 +143,7 @@ GraphOptimised getOptimised(ByteReader& bytes) {
     optimised.T_map_keypose.push_back(bytes.pose());
   while (bytes.left() > 0) {
     GraphOptimised::Decision& decision = optimised.decisions.emplace_back();
-    decision.state = static_cast<LoopState>(bytes.get<std::uint8_t>());
+    decision.state = choice(bytes, LoopState::disabled);
     decision.chi2_before = bytes.get<double>();
     decision.chi2_after = bytes.get<double>();
     decision.weight = bytes.get<double>();
@@ -215,8 +230,13 @@ GraphLog readGraphLog(const std::string& path) {
   RecordFile file = readRecordFile(path, kKind, kVersion);
   GraphLog log;
   log.damage = std::move(file.damage);
-  for (const Record& record : file.records)
-    if (std::optional<LogEntry> entry = decode(record)) log.entries.push_back(std::move(*entry));
+  try {
+    for (const Record& record : file.records)
+      if (std::optional<LogEntry> entry = decode(record)) log.entries.push_back(std::move(*entry));
+  } catch (const std::runtime_error& error) {  // whole, and written by something else
+    log.damage = path + ": after entry " + std::to_string(log.entries.size()) + ": " +
+                 error.what() + "; what follows is left out";
+  }
   return log;
 }
 

@@ -83,7 +83,7 @@ class MapExport {
     if (config_.submaps) writeSubmaps();
     if (!config_.clouds.empty()) writeClouds();
     if (config_.occupancy && parameters_.occupancy.enabled && !session_.submaps.empty())
-      writeOccupancy();
+      guarded("the map of the occupancy", [&] { writeOccupancy(); });
     tell(1.0);
     return notices_;
   }

@@ -32,9 +32,14 @@ class LogReplay {
   }
 
  private:
+  bool isThere(ScanId scan) const {
+    return scan.value < graph.nodes.size() && scan.session == graph.nodes.front().id.session;
+  }
+
   void add(const SubmapClosed& submap) {
-    if (submap.id.value != submaps.size() || submap.last_scan.value >= graph.nodes.size() ||
-        submap.last_scan < submap.first_scan)
+    const std::uint32_t first = submaps.empty() ? 0 : submaps.back().last_scan.value + 1;
+    if (submap.id.value != submaps.size() || submap.first_scan.value != first ||
+        submap.last_scan.value < first || !isThere(submap.first_scan) || !isThere(submap.last_scan))
       throw std::runtime_error("submap " + std::to_string(submap.id.value) +
                                " does not follow what comes before");
     submaps.push_back(submap);
@@ -42,7 +47,9 @@ class LogReplay {
 
   void add(const ScansAdded& scans) {
     for (const GraphNode& node : scans.nodes) {
-      if (node.id.value != graph.nodes.size())
+      const bool is_first = graph.nodes.empty();
+      if (node.id.value != graph.nodes.size() ||
+          (!is_first && node.id.session != graph.nodes.front().id.session))
         throw std::runtime_error("scan " + std::to_string(node.id.value) +
                                  " does not follow what comes before");
       graph.nodes.push_back(node);
@@ -51,7 +58,14 @@ class LogReplay {
   }
 
   void add(const GraphOptimised& optimised) {
-    if (optimised.last_scan.value >= graph.nodes.size() ||
+    const auto is_beyond = [&](const LoopConstraint& loop) {
+      const ScanId from = loop.constraint.from, to = loop.constraint.to;
+      return !isThere(from) || !isThere(to) || from == to || optimised.last_scan < from ||
+             optimised.last_scan < to;
+    };
+    if (!isThere(optimised.last_scan) ||
+        std::any_of(optimised.constraints.begin(), optimised.constraints.end(), is_beyond) ||
+        (optimised.disabled && optimised.disabled->value >= graph.loops.size()) ||
         optimised.decisions.size() != graph.loops.size() + optimised.constraints.size() ||
         optimised.T_map_keypose.size() > submaps.size())
       throw std::runtime_error("optimisation " + std::to_string(optimised.version) +

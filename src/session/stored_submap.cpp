@@ -2,6 +2,7 @@
 #include "revisit_slam/session/stored_submap.h"
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -75,11 +76,29 @@ void readTrajectory(ByteReader bytes, Submap& submap) {
   }
 }
 
+/// What lies farther from the keypose is in no submap, and would overflow the map.
+constexpr float kFarthest = 1e4f;  // m
+constexpr int kFarthestBlock = 1'000'000;
+
+Points readPoints(ByteReader bytes) {
+  Points points = bytes.rest<Eigen::Vector3f>();
+  for (const Eigen::Vector3f& point : points)
+    if (!(point.cwiseAbs().maxCoeff() < kFarthest)) throw std::runtime_error("a point is none");
+  return points;
+}
+
 SubmapOccupancyPtr readOccupancy(ByteReader bytes) {
-  auto occupancy = std::make_shared<SubmapOccupancy>(bytes.get<double>());
+  const auto resolution = bytes.get<double>();
+  if (!(resolution > 0.0)) throw std::runtime_error("voxels have no edge");
+  auto occupancy = std::make_shared<SubmapOccupancy>(resolution);
+  std::optional<Voxel> last;
   while (bytes.left() > 0) {
     Voxel block;
     for (int axis = 0; axis < 3; ++axis) block[axis] = bytes.get<std::int32_t>();
+    const bool is_near = block.minCoeff() > -kFarthestBlock && block.maxCoeff() < kFarthestBlock;
+    if (!is_near || (last && !BlockOrder()(*last, block)))
+      throw std::runtime_error("blocks of the occupancy are in no order");
+    last = block;
     const auto planes = bytes.get<std::uint32_t>();
     BlockCounts counts;
     for (int plane = 0; plane < BlockCounts::kPlanes; ++plane)
@@ -99,13 +118,13 @@ void take(const Record& record, Submap& submap, MapUpdate& update) {
     case SubmapRecord::trajectory:
       return readTrajectory(bytes, submap);
     case SubmapRecord::points:
-      submap.points = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      submap.points = readPoints(bytes);
       return;
     case SubmapRecord::normals:
       submap.normals = ByteReader(record.payload).rest<Eigen::Vector3f>();
       return;
     case SubmapRecord::detail:
-      update.detail_submap = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      update.detail_submap = readPoints(bytes);
       return;
     case SubmapRecord::occupancy:
       update.occupancy = readOccupancy(bytes);
@@ -134,7 +153,11 @@ MapUpdate readSubmap(const std::string& path, const std::set<SubmapRecord>& want
   if (!file.damage.empty()) throw std::runtime_error(file.damage);
   auto submap = std::make_shared<Submap>();
   MapUpdate update;
-  for (const Record& record : file.records) take(record, *submap, update);
+  try {
+    for (const Record& record : file.records) take(record, *submap, update);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("'" + path + "' cannot be used: " + error.what());
+  }
   update.submap = std::move(submap);
   return update;
 }

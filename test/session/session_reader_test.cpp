@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "revisit_slam/session/map_export.h"
 #include "revisit_slam/session/stored_local_map.h"
 #include "revisit_slam/session/stored_submap.h"
@@ -74,6 +76,41 @@ TEST_F(SessionReaderTest, ASubmapThatIsMissingOrDamagedIsNamedAndTheOthersAreThe
     EXPECT_TRUE(contains(notices.front(), "without submap 0"));
     EXPECT_LT(std::filesystem::file_size(folder_.file("out/map.pcd")), all);
     std::filesystem::remove(submapFile(path_, SubmapId{0}));
+  }
+}
+
+/// With right checksums: nothing but the contents tells.
+TEST_F(SessionReaderTest, EntriesThatCannotBeEndTheLogAndNothingElse) {
+  const std::string log = textOf(path_ + "/graph.log");
+  const StreetDrive& drive = StreetDrive::get();
+  const std::size_t submaps = drive.updates.size();
+  ScansAdded elsewhere{{drive.nodes.back()}};
+  elsewhere.nodes[0].id.value = static_cast<std::uint32_t>(drive.nodes.size());
+  ScansAdded nowhere = elsewhere;
+  elsewhere.nodes[0].id.session.value = 7;
+  nowhere.nodes[0].T_odom_base.translation.x() = std::nan("");
+  SubmapClosed foreign = closedOf(*drive.updates[0]->submap, {});
+  foreign.id.value = static_cast<std::uint32_t>(submaps);
+  foreign.first_scan.value = 4'000'000'000;
+  foreign.last_scan.session.value = 7;
+  SubmapClosed endless = closedOf(*drive.updates[0]->submap, {Eigen::Vector3f::Constant(1e30f)});
+  GraphOptimised beyond;
+  beyond.version = 1;
+  beyond.last_scan = drive.nodes.back().id;
+  beyond.constraints = {someLoop()};
+  beyond.constraints[0].constraint.to.value = 4'000'000'000;
+  beyond.decisions.resize(1);
+  GraphOptimised undecided = beyond;
+  undecided.constraints = {someLoop()};
+  undecided.decisions[0].state = static_cast<LoopState>(200);
+  for (const LogEntry& entry : {LogEntry(elsewhere), LogEntry(nowhere), LogEntry(foreign),
+                                LogEntry(endless), LogEntry(beyond), LogEntry(undecided)}) {
+    overwrite("/graph.log", log + encodeEntry(entry));
+    const Session session = read();
+    ASSERT_EQ(notices_.size(), 1u) << entry.index();
+    EXPECT_TRUE(contains(notices_.front(), "what follows is left out")) << notices_.front();
+    EXPECT_EQ(session.submaps.size(), submaps);
+    EXPECT_EQ(session.graph.T_map_scan.size(), drive.nodes.size());
   }
 }
 

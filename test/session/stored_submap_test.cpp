@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "session/session_fixtures.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"
@@ -26,6 +28,25 @@ TEST(StoredSubmap, IsReadAsItWas) {
   EXPECT_EQ(read.submap->normals, update->submap->normals);
   EXPECT_EQ(read.detail_submap, update->detail_submap);
   EXPECT_EQ(encodeSubmap(read), encodeSubmap(*update));  // poses and occupancy too
+}
+
+/// With right checksums: nothing but the contents tells.
+TEST(StoredSubmap, ContentsThatCannotBeAreRefusedWithTheFile) {
+  const TemporaryFolder folder;
+  MapUpdate nowhere = *StreetDrive::get().updates.at(1);
+  nowhere.detail_submap[0].x() = std::numeric_limits<float>::infinity();
+  MapUpdate far = *StreetDrive::get().updates.at(1);
+  auto occupancy = std::make_shared<SubmapOccupancy>(0.5);
+  BlockCounts counts;
+  counts.set(0, 1, 0);
+  occupancy->append({2'000'000'000, 0, 0}, counts);
+  far.occupancy = occupancy;
+  for (const MapUpdate& update : {nowhere, far}) try {
+      readSubmap(folder.with("a.rsm", encodeSubmap(update)), kAll);
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      EXPECT_TRUE(contains(error.what(), "a.rsm' cannot be used")) << error.what();
+    }
 }
 
 TEST(StoredSubmap, OnlyWhatIsWantedIsRead) {

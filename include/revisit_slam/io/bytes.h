@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -59,7 +60,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes out what a ByteWriter has put in. Beyond the end it throws std::runtime_error.
+/// Takes out what a ByteWriter has put in. It throws std::runtime_error beyond the end, and where
+/// a pose or a matrix is none.
 class ByteReader {
  public:
   explicit ByteReader(const std::string& bytes) : bytes_(bytes) {}
@@ -76,12 +78,15 @@ class ByteReader {
     Pose T;
     take(T.rotation.coeffs().data(), 4 * sizeof(double));
     take(T.translation.data(), 3 * sizeof(double));
+    if (!(std::abs(T.rotation.norm() - 1.0) < 1e-3) || !(T.translation.norm() < kFarthest))
+      throw std::runtime_error("a record has a pose that is none");
     return T;
   }
   Matrix6 matrix() {
     Matrix6 matrix;
     for (int row = 0; row < 6; ++row)
       for (int column = 0; column < 6; ++column) matrix(row, column) = get<double>();
+    if (!matrix.allFinite()) throw std::runtime_error("a record has a matrix that is none");
     return matrix;
   }
   template <typename AnyId>
@@ -104,6 +109,8 @@ class ByteReader {
   std::size_t left() const { return bytes_.size() - position_; }
 
  private:
+  static constexpr double kFarthest = 1e8;  // m, more than twice around the earth
+
   void take(void* data, std::size_t size) {
     if (size > left()) throw std::runtime_error("a record ends too early");
     std::memcpy(data, bytes_.data() + position_, size);
