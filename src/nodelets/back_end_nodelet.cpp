@@ -60,8 +60,9 @@ class BackEndNodelet : public SlamNodelet {
         getPrivateNodeHandle(), "backend", config_.backend, [this](const BackEndConfig& config) {
           lane_->post([this, config] { stage_->reconfigure(config); });
         });
-    transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
-                                            [this](const auto&) { broadcaster_->broadcast(); });
+    transform_timer_ = node.createWallTimer(
+        ros::WallDuration(1.0 / config_.live.transform_rate),
+        [this](const auto&) { guarded([this] { broadcaster_->broadcast(); }); });
     subscribe(node);
     correction_publisher_ =  // says that scans may come
         node.advertise<MapCorrection>("map_correction", 100);

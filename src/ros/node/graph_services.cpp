@@ -49,10 +49,14 @@ bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response)
 }
 
 bool GraphServices::disable(DisableLoop::Request& request, DisableLoop::Response& response) {
-  do_in_worker_([&](GraphSession* session) {
-    response.success = session && session->disable(LoopId{request.loop});
-  });
-  response.message = response.success ? "disabled" : "no loop of this id, or it is disabled";
+  try {
+    do_in_worker_([&](GraphSession* session) {
+      response.success = session && session->disable(LoopId{request.loop});
+    });
+    response.message = response.success ? "disabled" : "no loop of this id, or it is disabled";
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
   return true;
 }
 

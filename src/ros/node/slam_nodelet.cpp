@@ -18,8 +18,9 @@ void SlamNodelet::onInit() {
   }
   ros::NodeHandle& node = getNodeHandle();
   diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
-  diagnostics_timer_ = node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
-                                            [this](const auto&) { publishDiagnostics(); });
+  diagnostics_timer_ =
+      node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
+                           [this](const auto&) { guarded([this] { publishDiagnostics(); }); });
 }
 
 std::unique_ptr<ThreadLane> SlamNodelet::makeLane(int niceness) {

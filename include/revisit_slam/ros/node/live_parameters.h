@@ -39,7 +39,7 @@ class LiveParameters {
       assign(parametersOf(wanted), textsOf(message));
       config_ = wanted;
       on_change_(config_);
-    } catch (const ParameterError& error) {
+    } catch (const std::exception& error) {
       ROS_ERROR("not changed: %s", error.what());
     }
     fill(parametersOf(config_), message);

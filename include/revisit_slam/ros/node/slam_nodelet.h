@@ -33,13 +33,16 @@ class SlamNodelet : public nodelet::Nodelet {
   /// For diagnostics, where it is told once. Thread-safe.
   void noteError(const std::string& error);
 
-  /// Does work, and reports and counts what it throws.
+  /// Does work, and reports and counts what it throws: whatever leaves a callback or a thread ends
+  /// the process, and the drivers in it.
   template <typename Work>
   void guarded(const Work& work) {
     try {
       work();
     } catch (const std::exception& error) {
       noteError(error.what());
+    } catch (...) {
+      noteError("an error of no known kind");
     }
   }
 
