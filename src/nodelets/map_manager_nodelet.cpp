@@ -3,17 +3,15 @@
 #include <revisit_slam/LiveRecognitionConfig.h>
 #include <revisit_slam/LiveRetroactiveConfig.h>
 
-#include <atomic>
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/map_display.h"
+#include "revisit_slam/ros/node/map_status.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
 #include "revisit_slam/slam/map_manager.h"
-#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 
@@ -68,7 +66,7 @@ class MapManagerNodelet : public SlamNodelet {
     MapManager::Outputs outputs;
     outputs.maps = [this](const MapUpdatePtr& maps) {
       maps_publisher_.publish(toBoostPointer(maps));
-      ++submaps_;
+      status_.addSubmap();
       searching_->post([this, submap = maps->submap] { display_->add(submap); });
     };
     outputs.session = [this](SessionId session) { display_->startAnew(session); };
@@ -111,8 +109,7 @@ class MapManagerNodelet : public SlamNodelet {
 
   void show(const LoopSearchResult& search) {
     const std::size_t accepted = search.accepted().size();
-    loops_ += static_cast<int>(accepted);
-    rejected_loops_ += static_cast<int>(search.proposals.size() - accepted);
+    status_.add(search);
     if (search.match && accepted > 0)
       NODELET_INFO("local map %u shows the place of %u: %zu loop constraints", search.map->id.value,
                    search.match->target.value, accepted);
@@ -131,35 +128,15 @@ class MapManagerNodelet : public SlamNodelet {
   // In the threads of the node.
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
-    constexpr int most_waiting = 2;
-    const MapManagerCount& count = stage_->count();
-    const int missed = count.missed_scans, thinned = count.thinned_scans;
-    const int maps_waiting = count.maps_waiting;
     const bool has_graph = correction_subscriber_.getNumPublishers() > 0;
-    if (maps_waiting > 0 && !has_graph) stage_->giveUpWaiting();
-    const bool is_behind = maps_waiting > most_waiting || thinned > reported_thinned_;
-    status.level = is_behind || missed > reported_missed_ ? status.WARN : status.OK;
-    status.message = is_behind                   ? "falling behind"
-                     : missed > reported_missed_ ? "scans were missed; call odometry/reset"
-                     : config_.mapping.enabled   ? "running"
-                                                 : "switched off";
-    reported_missed_ = missed;
-    reported_thinned_ = thinned;
-    addValue("scans waiting", std::to_string(building_->waiting()), status);
-    addValue("scans missed", std::to_string(missed), status);
-    addValue("scans without their points", std::to_string(thinned), status);
-    addValue("submaps", std::to_string(submaps_), status);
-    addValue("local maps waiting", std::to_string(maps_waiting), status);
-    addValue("loops accepted", std::to_string(loops_), status);
-    addValue("loops rejected", std::to_string(rejected_loops_), status);
-    addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
+    if (stage_->count().maps_waiting > 0 && !has_graph) stage_->giveUpWaiting();
+    status_.tell(stage_->count(), building_->waiting(), config_.mapping.enabled, status);
   }
 
   ros::Publisher maps_publisher_, closures_publisher_, closed_publisher_;
   std::unique_ptr<MapManager> stage_;
   std::unique_ptr<MapDisplay> display_;  // of the lane that searches
-  std::atomic<int> submaps_{0}, loops_{0}, rejected_loops_{0};
-  int reported_missed_ = 0, reported_thinned_ = 0;
+  MapStatus status_;
 
   std::unique_ptr<ThreadLane> searching_, building_;
   ros::Subscriber scan_subscriber_, request_subscriber_, correction_subscriber_;
