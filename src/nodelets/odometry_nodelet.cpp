@@ -10,6 +10,7 @@
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
+#include "revisit_slam/ros/node/cloud_subscription.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/motion_inbox.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
@@ -69,8 +70,9 @@ class OdometryNodelet : public SlamNodelet {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });
     const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
-    points_subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(
-        "points", depth, [this](const CloudPtr& cloud) { queue_->push(cloud); });
+    points_subscriber_ = subscribeToClouds(
+        node, "points", [this](const CloudPtr& cloud) { queue_->push(cloud); },
+        [this](const std::string& fault) { onDamaged(fault); });
     livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
         "livox_points", depth, [this](const LivoxPtr& message) { queue_->push(message); });
   }
@@ -183,6 +185,11 @@ class OdometryNodelet : public SlamNodelet {
     response.success = true;
     response.message = "the odometry starts anew at the next scan";
     return true;
+  void onDamaged(const std::string& fault) {
+    drop(describe(ScanRejection::bad_layout));
+    NODELET_WARN_THROTTLE(5.0, "scan dropped: bad layout: %s", fault.c_str());
+  }
+
   }
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {

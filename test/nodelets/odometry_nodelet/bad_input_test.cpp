@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "in_process_odometry.h"
+#include "revisit_slam/util/process_usage.h"
+#include "support/raw_messages.h"
 
 namespace revisit_slam {
 namespace {
@@ -58,6 +60,24 @@ TEST_F(BadInput, aMessageOfAnotherTypeIsCountedAndTheNodeletLivesOn) {
   for (const auto& cloud : toClouds(driveInRoom(2))) publish(cloud);
   EXPECT_TRUE(listener_.diagnoses("scans received", 3));
   EXPECT_TRUE(listener_.diagnoses("errors", 0));
+}
+
+TEST_F(BadInput, aCloudThatAnnouncesMoreThanItHasIsCountedBeforeMemoryIsTaken) {
+  load();
+  const auto clouds = toClouds(driveInRoom(3));
+  ros::NodeHandle node(space_);
+  const auto hostile = claiming<sensor_msgs::PointCloud2>(bytesThatAnnounceMore(clouds[1]));
+  ros::Publisher publisher = hostile.advertise(node, "points", 10);
+  ASSERT_TRUE(becomesTrue([&] { return publisher.getNumSubscribers() > 0; }));
+  publish(clouds[0]);
+  ASSERT_TRUE(listener_.hasPoses(1));
+  const double peak = peakMemoryMegabytes();
+  publisher.publish(hostile);
+  ASSERT_TRUE(listener_.diagnoses("scans received", 2));
+  EXPECT_LT(peakMemoryMegabytes() - peak, 500.0);
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"bad layout", 1}}));
+  publish(clouds[2]);
+  EXPECT_TRUE(listener_.diagnoses("scans received", 3));
 }
 
 TEST_F(BadInput, aClockSetBackBeginsANewSession) {
