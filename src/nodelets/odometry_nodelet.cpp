@@ -101,7 +101,8 @@ class OdometryNodelet : public SlamNodelet {
   }
 
   std::optional<Pose> place(const std::string& frame) {
-    return placement_->find(frame, [this] { return queue_->stopping() || reset_requested_; });
+    return placement_->find(
+        frame, [this] { return queue_->stopping() || reset_requested_ || newestIsPlaced(); });
   }
 
   void take(Flush) {
@@ -121,6 +122,16 @@ class OdometryNodelet : public SlamNodelet {
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
     if (registered) scan_times_.add(clock.times().back().second);
+  }
+
+  /// Scans of a frame that is known do not wait for one that may never be.
+  bool newestIsPlaced() const {
+    const std::optional<Message> newest = queue_->newest();
+    if (!newest) return false;
+    if (const auto* cloud = std::get_if<CloudPtr>(&*newest))
+      return placement_->knows((**cloud).header.frame_id);
+    const auto* livox = std::get_if<LivoxPtr>(&*newest);
+    return livox && placement_->knows(frameOf(**livox));
   }
 
   void startSession() {
@@ -174,6 +185,11 @@ class OdometryNodelet : public SlamNodelet {
     stage_->countDropped(reason);
   }
 
+  void onDamaged(const std::string& fault) {
+    drop(describe(ScanRejection::bad_layout));
+    NODELET_WARN_THROTTLE(5.0, "scan dropped: bad layout: %s", fault.c_str());
+  }
+
   void onQueueFull() {
     drop("queue full");
     NODELET_WARN_THROTTLE(5.0,
@@ -185,11 +201,6 @@ class OdometryNodelet : public SlamNodelet {
     response.success = true;
     response.message = "the odometry starts anew at the next scan";
     return true;
-  void onDamaged(const std::string& fault) {
-    drop(describe(ScanRejection::bad_layout));
-    NODELET_WARN_THROTTLE(5.0, "scan dropped: bad layout: %s", fault.c_str());
-  }
-
   }
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {

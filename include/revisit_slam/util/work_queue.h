@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace revisit_slam {
@@ -71,6 +72,12 @@ class WorkQueue {
   std::size_t waiting() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return items_.size();
+  }
+
+  /// The item that waits and came last.
+  std::optional<Item> newest() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return items_.empty() ? std::nullopt : std::optional<Item>(items_.back());
   }
 
   /// For work that waits for something: true as soon as the queue is to stop.

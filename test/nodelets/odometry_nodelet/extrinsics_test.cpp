@@ -67,6 +67,24 @@ TEST_F(Extrinsics, anUnknownFirstFrameIsDroppedAndDoesNotBlockTheOthers) {
   EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"no transform from 'another'", 2}}));
 }
 
+TEST_F(Extrinsics, scansOfAKnownFrameDoNotWaitForAFirstOneThatIsNot) {
+  setParameter("frames/base", std::string("robot"));
+  setParameter("live/transform_patience", 3600.0);
+  load();
+  const Drive drive = driveInRoom(6);
+  std::vector<sensor_msgs::PointCloud2> clouds = toClouds(drive);
+  clouds[0].header.frame_id = "unknown";
+  publish(clouds[0]);
+  for (std::size_t i = 1; i < 4; ++i) publish(clouds[i]);  // not placed yet either
+  ASSERT_TRUE(listener_.diagnoses("scans waiting", 3));
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  broadcaster.sendTransform(mounting("robot", drive.scans[0].T_base_sensor));
+  for (std::size_t i = 4; i < 6; ++i) publish(clouds[i]);
+  ASSERT_TRUE(listener_.hasPoses(5));
+  ASSERT_TRUE(listener_.diagnoses("scans received", 6));
+  EXPECT_EQ(listener_.drops(), (std::map<std::string, int>{{"no transform from 'unknown'", 1}}));
+}
+
 /// Every second scan comes from a sensor that is mounted elsewhere; seen from the base all is one
 /// drive.
 TEST_F(Extrinsics, twoSensorsWithFramesOfTheirOwnArePlacedBothRightly) {

@@ -3,10 +3,14 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <revisit_slam/LiveOdometryConfig.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <limits>
+#include <mutex>
+#include <thread>
 
 #include "in_process_odometry.h"
+#include "revisit_slam/ros/node/stage_topics.h"
 #include "support/contains.h"
 #include "support/ros_log.h"
 
@@ -83,6 +87,46 @@ TEST_F(LiveControl, resetStartsAnewFromTheIdentity) {
   EXPECT_EQ(poses[6].T_world_base.translation.norm(), 0.0);
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(distanceBetween(poses[i].T_world_base, poses[i + 6].T_world_base), 0.0);
+}
+
+/// A reset may come at any moment of a scan's life; none is placed as if the sensor were the base.
+TEST_F(LiveControl, atAnyMomentOfAResetScansArePlacedByTheirTransform) {
+  setParameter("frames/base", std::string("robot"));
+  load();
+  std::mutex mutex;
+  std::size_t scans = 0, misplaced = 0;
+  const Eigen::Vector3d mounted(0.4, -0.2, 1.1);
+  const auto subscriber = node_.subscribe<OdometryOutput>(
+      "registered_scan", 0, [&](const boost::shared_ptr<const OdometryOutput>& output) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        ++scans;
+        misplaced += (output->scan->sensor_base - mounted).norm() > 1e-3;
+      });
+  ASSERT_TRUE(becomesTrue([&] { return subscriber.getNumPublishers() > 0; }));
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped mounting;
+  mounting.header.frame_id = "robot";
+  mounting.child_frame_id = "lidar";
+  mounting.transform = toTransformMessage({Eigen::Quaterniond::Identity(), mounted});
+  broadcaster.sendTransform(mounting);
+  constexpr int resets = 150;
+  sensor_msgs::PointCloud2 cloud = clouds_.front();
+  std::thread sensor([&] {
+    for (int i = 0; i < 2 * resets; ++i) {
+      cloud.header.stamp += ros::Duration(0.1);
+      publish(cloud);
+      ros::WallDuration(0.002).sleep();
+    }
+  });
+  std_srvs::Trigger call;
+  int done = 0;  // ROS loses some of so many calls
+  for (int i = 0; i < resets; ++i) done += ros::service::call(space_ + "odometry/reset", call);
+  sensor.join();
+  EXPECT_GT(done, resets / 2);
+  ASSERT_TRUE(listener_.diagnoses("scans waiting", 0));
+  const std::lock_guard<std::mutex> lock(mutex);
+  EXPECT_GT(scans, 0u);
+  EXPECT_EQ(misplaced, 0u);
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ class SensorPlacement {
   /// returns true.
   std::optional<Pose> find(const std::string& sensor_frame, const std::function<bool()>& stopping);
 
+  /// Whether find() would find it now.
+  bool knows(const std::string& sensor_frame) const { return lookUp(sensor_frame).has_value(); }
+
   /// That of the poses; empty before the first scan where it was given empty.
   const std::string& baseFrame() const { return base_frame_; }
 
