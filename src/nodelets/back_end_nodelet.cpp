@@ -54,7 +54,8 @@ class BackEndNodelet : public SlamNodelet {
     lane_ = makeLane(config_.background.niceness);
     lane_->post([this] { startDisplay(); });
     services_ = std::make_unique<GraphServices>(
-        getPrivateNodeHandle(), [this](const GraphServices::Work& work) { doInLane(work); },
+        getPrivateNodeHandle(), config_.live,
+        [this](const GraphServices::Work& work) { doInLane(work); },
         node.advertise<CloseMaps>("close_maps", 10));
     live_parameters_ = std::make_unique<LiveParameters<LiveBackEndConfig, BackEndConfig>>(
         getPrivateNodeHandle(), "backend", config_.backend, [this](const BackEndConfig& config) {

@@ -35,7 +35,7 @@ struct FramesConfig {
 struct LiveConfig {
   int queue_size = 100;
   double diagnostics_period = 1.0;
-  std::string folder;
+  std::string folder, save_root;
   bool broadcast_map = true;
   bool broadcast_odom = true;
   double transform_rate = 20.0;
@@ -54,6 +54,9 @@ struct LiveConfig {
     v("folder", folder, Choices{}, "",
       "folder in which each drive gets a folder of its own, written to during the drive; empty: "
       "files are written only on request");
+    v("save_root", save_root, Choices{}, "",
+      "folder below which the service save may write; empty: anywhere that the process may. Set it "
+      "where others can call services");
     v("broadcast_map", broadcast_map,
       "true: the transform from map to odometry frame is broadcast; false: another node has to do "
       "so");

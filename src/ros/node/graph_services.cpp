@@ -8,13 +8,14 @@
 #include <utility>
 
 #include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/slam/save_root.h"
 
 namespace revisit_slam {
 
-GraphServices::GraphServices(const ros::NodeHandle& private_node,
+GraphServices::GraphServices(const ros::NodeHandle& private_node, const LiveConfig& live,
                              std::function<void(const Work&)> do_in_worker,
                              const ros::Publisher& close_maps)
-    : do_in_worker_(std::move(do_in_worker)), close_maps_(close_maps) {
+    : live_(live), do_in_worker_(std::move(do_in_worker)), close_maps_(close_maps) {
   ros::NodeHandle node(private_node);
   node.setCallbackQueue(&queue_);
   save_service_ = node.advertiseService("save", &GraphServices::save, this);
@@ -30,6 +31,7 @@ void GraphServices::stop() {
 
 bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response) {
   try {
+    requireBelowSaveRoot(live_, request.folder);
     do_in_worker_([&](GraphSession* session) {
       if (!session) throw std::runtime_error("there is nothing to save yet");
       response.path = session->save(request.folder);

@@ -26,8 +26,8 @@ class GraphServices {
 
   /// `do_in_worker` returns when the worker has done the work, with the session that runs (null:
   /// none yet); it throws what the work throws. `close_maps`: publishes CloseMaps.
-  GraphServices(const ros::NodeHandle& private_node, std::function<void(const Work&)> do_in_worker,
-                const ros::Publisher& close_maps);
+  GraphServices(const ros::NodeHandle& private_node, const LiveConfig& live,
+                std::function<void(const Work&)> do_in_worker, const ros::Publisher& close_maps);
   /// Returns when no service waits any more; the worker must still run.
   void stop();
 
@@ -39,6 +39,7 @@ class GraphServices {
   bool disable(DisableLoop::Request& request, DisableLoop::Response& response);
   bool finish(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
+  const LiveConfig live_;
   const std::function<void(const Work&)> do_in_worker_;
   const ros::Publisher close_maps_;
   std::atomic<bool> ending_{false};

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "revisit_slam/slam/slam_config.h"
+
+namespace revisit_slam {
+
+/// Whether what somebody has asked to be saved in `folder` (empty: the folder of the session) may
+/// be written there: below live/save_root, wherever `..` and links lead.
+/// @throws std::runtime_error naming both, if not.
+void requireBelowSaveRoot(const LiveConfig& live, const std::string& folder);
+
+}  // namespace revisit_slam
