@@ -66,6 +66,8 @@ class ChildProcess {
     if (status_ == still_running) kill(-process_, number);
   }
 
+  pid_t id() const { return process_; }
+
   /// What it has written so far.
   std::string output() const { return textOf(log_folder_.file("output")); }
 
