@@ -62,3 +62,6 @@ endif()
 # Skipped where clang-format or clang-tidy is another version than the one that formats.
 add_test(NAME format COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --format)
 add_test(NAME tidy COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --tidy)
+if(REVISIT_SLAM_SIMULATION)
+  add_test(NAME soak COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/soak --minutes 3 --rate 60)
+endif()
