@@ -155,7 +155,7 @@ class Soak:
             time.sleep(0.1)
         parameters = self.work / "soak.yaml"
         parameters.write_text(
-            "input: {time_field: none}\nlive: {diagnostics_period: 0.2, queue_size: 300}\n"
+            "input: {time_field: none}\nlive: {diagnostics_period: 0.2}\n"
             "mapping: {submap: {displacement: 20.0}}\n"
         )
         self.command = ["roslaunch", "revisit_slam", "slam.launch", "points:=/points"]
@@ -191,11 +191,12 @@ class Soak:
 
     # What is sent.
 
-    def send(self, scan: bytes) -> None:
+    def send(self, scan: bytes, at_once: bool = False) -> None:
         self.publisher.publish(SentCloud(scan))
         self.sent += 1
         self.counts["scans sent"] += 1
-        time.sleep(1.0 / self.arguments.rate)
+        if not at_once:
+            time.sleep(1.0 / self.arguments.rate)
 
     def send_block(self) -> None:
         for _ in range(SCANS_IN_A_BLOCK):
@@ -241,6 +242,10 @@ class Soak:
         begin = data_begins(scan)
         self.send(scan[:begin] + struct.pack("<I", 4_000_000_000) + scan[begin + 4 :])
         self.send(scan[: self.random.randrange(16, len(scan))])
+
+    def overload(self) -> None:
+        for _ in range(300):
+            self.send(self.drive.skip(), at_once=True)
 
     def outage(self) -> None:
         self.drive.nanoseconds += self.random.randint(1, 60) * 10**9
@@ -308,8 +313,9 @@ class Soak:
                 shutil.rmtree(session.parent)
 
     def run(self) -> int:
-        events = [self.loss, self.repeats, self.nan, self.garbage, self.outage, self.clock, self.reset]
-        events += [self.finish, self.save, self.parameters, self.remove, self.kill]
+        events: List[Callable[[], None]] = [self.loss, self.repeats, self.nan, self.garbage]
+        events += [self.overload, self.outage, self.clock, self.reset, self.finish, self.save]
+        events += [self.parameters, self.remove, self.kill]
         queue: List[Callable[[], None]] = []
         end = int(self.arguments.hours * 36000)
         while self.drive.next < end:
