@@ -71,6 +71,13 @@ void declareDrive(CLI::App& app, Options& o) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag("--static", o.still, "no moving cars");
+  app.add_option("--visit", o.route.visit.number,
+                 "drive through the same world once more: each number from 1 has other traffic, "
+                 "parked cars and noise")
+      ->check(CLI::NonNegativeNumber);
+  app.add_flag("--reverse", o.route.visit.reversed, "of a visit: from the way's end to its start");
+  app.add_option("--aside", o.route.visit.aside, "of a visit: metres left of the lane")
+      ->check(CLI::Range(-1.0, 4.0));
   app.add_option("--start-time", o.start_time, "seconds since 1970 at the start")
       ->check(CLI::Range(1.0, 4.0e9))
       ->capture_default_str();
@@ -125,7 +132,8 @@ void complete(Options& o) {
   o.route.world = worldKindOf(o.world);
   o.route.motion = o.motion == "handheld" ? MotionKind::kHandheld : MotionKind::kVehicle;
   o.route.start = Stamp::fromSeconds(o.start_time);
-  o.scan.seed = o.wheels.seed = o.imu.seed = o.route.seed;
+  o.scan.seed = o.route.seed + 1000 * static_cast<std::uint64_t>(o.route.visit.number);
+  o.wheels.seed = o.imu.seed = o.scan.seed;
   if (o.height <= 0.0) o.height = o.motion == "handheld" ? 1.5 : 1.8;
   o.scan.T_base_sensor.translation = {0.0, 0.0, o.height};
   // Turned by a right angle, so that whoever forgets the mounting notices.
@@ -333,6 +341,9 @@ std::vector<std::pair<std::string, std::string>> optionsOf(const Options& o) {
           {"noise", number(o.scan.noise)},
           {"dropout", number(o.scan.random_dropout)},
           {"seed", std::to_string(o.route.seed)},
+          {"visit", std::to_string(o.route.visit.number)},
+          {"reverse", flag(o.route.visit.reversed)},
+          {"aside", number(o.route.visit.aside)},
           {"max-scans", number(o.max_scans)},
           {"max-cars", number(o.traffic.moving_cars)},
           {"no-times", flag(o.no_times)},
@@ -413,7 +424,7 @@ DriveReport reportOf(const Options& o, const Route& route, const World& world,
 void run(Options o) {
   complete(o);
   const Route route = makeRoute(o.route);
-  const World world = makeWorld(o.traffic, route);
+  const World world = makeWorld(o.traffic, worldRoute(o.route), route);
   const ScanSimulator simulator(world, route, makeSensor(o.sensor, o.columns), o.scan);
   const int count = scanCount(route, o.max_scans);
   if (!o.quiet) {

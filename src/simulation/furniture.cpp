@@ -67,6 +67,18 @@ void addEnclosure(Site& site, const Placement& at, double length, Random& random
   }
 }
 
+/// Whether the platform of a drive gets by.
+bool leavesFree(const Route& drive, const Plot& plot) {
+  const double reach = kClearOfRoute + plot.half_length;
+  const Eigen::Vector2d centre = plot.centre.origin.head<2>();
+  for (const Eigen::Vector3d& p : drive.path()) {
+    if ((p.head<2>() - centre).squaredNorm() > reach * reach) continue;
+    if (overlap(plot, {{p, plot.centre.yaw}, kClearOfRoute - 1.0, kClearOfRoute - 1.0}))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void addLampsAndSigns(Site& site, double spacing) {
@@ -93,8 +105,9 @@ void addEnclosures(Site& site, double share) {
   });
 }
 
-void addParkedCars(Site& site, double share) {
-  Random random(hashOf(site.layout().seed, 952));
+void addParkedCars(Site& site, double share, const Route& visit) {
+  const auto number = static_cast<std::uint64_t>(visit.visit().number);
+  Random random(hashOf(site.layout().seed, 952)), change(hashOf(site.layout().seed, 955, number));
   alongRoadsides(site, random, 6.4, -1.0, [&](const Placement& at) {
     const int model = random.integer(0, carModelCount() - 1);
     const Placement place =
@@ -108,7 +121,26 @@ void addParkedCars(Site& site, double share) {
       if (site.fromRoute(inner) < kClearOfRoute - 1.0) return;
     }
     site.occupy(plot);
-    addCar(site.mesh(), place, model);
+    if (number == 0) return addCar(site.mesh(), place, model);
+    const bool stays = change.chance(0.5);
+    const int other = change.integer(0, carModelCount() - 1);
+    const Placement moved = place.moved(change.uniform(-0.4, 0.4), 0.0, 0.0);
+    if (stays && leavesFree(visit, {moved, 0.5 * carSize(other).length, 0.5 * size.width}))
+      addCar(site.mesh(), moved, other);
+  });
+}
+
+void addNewlyParkedCars(Site& site, double share, const Route& visit) {
+  const auto number = static_cast<std::uint64_t>(visit.visit().number);
+  if (number == 0) return;
+  Random random(hashOf(site.layout().seed, 956, number));
+  alongRoadsides(site, random, 6.4, -1.0, [&](const Placement& at) {
+    const int model = random.integer(0, carModelCount() - 1);
+    const CarSize size = carSize(model);
+    const Plot plot{at, 0.5 * size.length + 0.3, 0.5 * size.width};
+    if (!random.chance(share) || !site.isFree(plot, -2.3) || !leavesFree(visit, plot)) return;
+    site.occupy(plot);
+    addCar(site.mesh(), at, model);
   });
 }
 

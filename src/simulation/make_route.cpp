@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "revisit_slam/simulation/random.h"
 #include "revisit_slam/simulation/route.h"
 #include "revisit_slam/simulation/route_file.h"
 #include "revisit_slam/simulation/route_patterns.h"
@@ -123,6 +124,23 @@ Route recordedRoute(const RouteConfig& config) {
   return Route(config, layout, std::move(terrain), std::move(path), std::move(profile));
 }
 
+/// Speed and sway are those of the visit.
+Route visitOf(const Route& first, RouteConfig config) {
+  const VisitConfig& visit = config.visit;
+  if (config.world == WorldKind::kRamp)
+    throw ParameterError("visit = " + std::to_string(visit.number) + ": the world ramp has none");
+  config.seed = hashOf(config.seed, 990, static_cast<std::uint64_t>(visit.number));
+  const double other_lane = 2.0 * laneOffset(config.world);
+  const double left = visit.reversed ? other_lane - visit.aside : visit.aside;
+  Polyline path = movedRight(first.path(), [&](double) { return -left; });
+  if (visit.reversed) std::reverse(path.begin(), path.end());
+  path = resampled(smoothed(path, 4.0), Route::kStep);
+  layOnGround(path, first.terrain());
+  if (config.speed <= 0.0) config.speed = usualSpeed(config);
+  SpeedProfile profile = makeSpeedProfile(path, Route::kStep, limitsOf(config));
+  return first.visited(config, std::move(path), std::move(profile));
+}
+
 void requireValid(const RouteConfig& config) {
   const auto require = [](bool valid, const std::string& name, double value, const char* allowed) {
     if (!valid) throw ParameterError(name + " = " + std::to_string(value) + ": must be " + allowed);
@@ -149,6 +167,12 @@ bool isNamedRoute(const std::string& route) {
 }
 
 Route makeRoute(const RouteConfig& config) {
+  const Route first = worldRoute(config);
+  return config.visit.number == 0 ? first : visitOf(first, config);
+}
+
+Route worldRoute(RouteConfig config) {
+  config.visit = {};
   requireValid(config);
   return isNamedRoute(config.route) ? namedRoute(config) : recordedRoute(config);
 }

@@ -40,7 +40,7 @@ Drive oncoming(const Route& route, double meeting, Random& random) {
   const double middle = route.arcAt(route.start().plusSeconds(meeting));
   return {meeting - kAppears / speed, meeting + kAppears / speed,
           [=](double t) { return middle - speed * (t - meeting); },
-          2.0 * laneOffset(route.layout().kind) + lane, -1.0};
+          2.0 * laneOffset(route.layout().kind) - route.visit().aside + lane, -1.0};
 }
 
 /// A car that comes near from ahead (or behind), keeps its distance for a while and leaves again.
@@ -128,7 +128,8 @@ std::vector<MovingCar> makeLeaders(const Route& route) {
 
 std::vector<MovingCar> makeTraffic(const Route& route, int most) {
   if (most == 0) return {};
-  Random random(hashOf(route.layout().seed, 980));
+  const auto visit = static_cast<std::uint64_t>(route.visit().number);
+  Random random(hashOf(route.layout().seed, 980, visit));
   const double duration = secondsBetween(route.start(), route.end());
   const double seconds_per_car = isMotorway(route) ? 3.0 : kSecondsPerCar;
   const int tries = static_cast<int>(duration / seconds_per_car) + 1;

@@ -12,14 +12,15 @@
 namespace revisit_slam::simulation {
 namespace {
 
-void fillTown(Site& site) {
+void fillTown(Site& site, const Route& visit) {
   addBuildings(site, {});
   addEdging(site, {});
   addLampsAndSigns(site, 32.0);
   addStreetTrees(site, 14.0);
-  addParkedCars(site, 0.35);
+  addParkedCars(site, 0.35, visit);
   addEnclosures(site, 0.7);
   addScatteredTrees(site, 5.0, 2.6);
+  addNewlyParkedCars(site, 0.2, visit);
 }
 
 void fillCampus(Site& site) {
@@ -53,19 +54,19 @@ void fillRamp(Site& site) {
   addScatteredTrees(site, 2.0, 3.0);
 }
 
-void fill(Site& site) {
+void fill(Site& site, const Route& visit) {
   switch (site.layout().kind) {
     case WorldKind::kBridge:
       if (site.layout().has_streets) addBridge(site);
-      return fillTown(site);
+      return fillTown(site, visit);
     case WorldKind::kTown:
-      return fillTown(site);
+      return fillTown(site, visit);
     case WorldKind::kCampus:
       return fillCampus(site);
     case WorldKind::kField:
       return fillField(site);
     case WorldKind::kRamp:
-      return site.layout().has_streets ? fillRamp(site) : fillTown(site);
+      return site.layout().has_streets ? fillRamp(site) : fillTown(site, visit);
     case WorldKind::kCorridor:
       return addCorridor(site);
     case WorldKind::kMotorway:
@@ -80,15 +81,19 @@ bool hasTraffic(WorldKind kind) {
 }  // namespace
 
 World makeWorld(const WorldConfig& config, const Route& route) {
-  Site site(route);
+  return makeWorld(config, route, route);
+}
+
+World makeWorld(const WorldConfig& config, const Route& first, const Route& visit) {
+  Site site(first);
   addGround(site);
-  fill(site);
+  fill(site, visit);
   World world;
   world.still = std::move(site.mesh());
   for (int model = 0; model < carModelCount(); ++model) {
     addCar(world.car_models.emplace_back(), Placement{}, model);
   }
-  if (hasTraffic(site.layout().kind)) world.cars = makeTraffic(route, config.moving_cars);
+  if (hasTraffic(site.layout().kind)) world.cars = makeTraffic(visit, config.moving_cars);
   return world;
 }
 

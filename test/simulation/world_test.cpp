@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "revisit_slam/simulation/ray_caster.h"
 #include "simulation_fixtures.h"
@@ -82,6 +83,33 @@ TEST(World, IsBoundedAndRepeatable) {
   EXPECT_EQ(a.still.vertices, b.still.vertices);
   EXPECT_EQ(a.still.triangles, b.still.triangles);
   EXPECT_EQ(a.still.triangles.size(), a.still.materials.size());
+}
+
+/// Triangles of all that is no car, by material.
+std::map<Material, int> standing(const World& world) {
+  std::map<Material, int> counts;
+  for (const Material material : world.still.materials) ++counts[material];
+  for (const Material material : world.car_models.front().materials) counts.erase(material);
+  return counts;
+}
+
+TEST(World, AVisitFindsOtherCarsInTheSameWorld) {
+  RouteConfig config = shortDrive("loop", 500.0);
+  const Route first = makeRoute(config);
+  const World world = makeWorld({}, first);
+  for (const VisitConfig& visit : {VisitConfig{1, false, 1.5}, VisitConfig{2, true, 0.0}}) {
+    config.visit = visit;
+    const Route route = makeRoute(config);
+    const World visited = makeWorld({}, worldRoute(config), route);
+    EXPECT_EQ(standing(visited), standing(world));
+    EXPECT_NE(visited.still.triangles.size(), world.still.triangles.size());
+    const RayCaster caster(visited.still);
+    for (double arc = 1.0; arc + 2.0 < route.length(); arc += 1.0) {
+      const Eigen::Vector3d from = route.positionAt(arc) + Eigen::Vector3d(0.0, 0.0, 0.8);
+      ASSERT_FALSE(caster.cast(from, route.directionAt(arc), 1.0)) << visit.number << " " << arc;
+    }
+  }
+  EXPECT_EQ(makeRoute(shortDrive("loop", 500.0)).path(), worldRoute(config).path());
 }
 
 TEST(World, SeedsDiffer) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "revisit_slam/simulation/polyline.h"
 #include "revisit_slam/simulation/route_config.h"
@@ -39,6 +40,12 @@ class Route {
   const Polyline& path() const { return path_.controls(); }
   const Layout& layout() const { return layout_; }
   const Terrain& terrain() const { return *terrain_; }
+  const VisitConfig& visit() const { return config_.visit; }
+
+  /// Another drive over the same terrain.
+  Route visited(const RouteConfig& config, Polyline path, SpeedProfile profile) const {
+    return {config, layout_, terrain_, std::move(path), std::move(profile)};
+  }
 
   static constexpr double kStep = 0.5;
 
@@ -52,8 +59,10 @@ class Route {
   SpeedProfile profile_;
 };
 
-/// From a name or a file.
+/// From a name or a file; of a visit the drive itself, whose world is that of worldRoute().
 /// @throw ParameterError naming the option and its value.
 Route makeRoute(const RouteConfig& config);
+/// The drive that the world was laid around. @throw likewise.
+Route worldRoute(RouteConfig config);
 
 }  // namespace revisit_slam::simulation

@@ -12,6 +12,16 @@ namespace revisit_slam::simulation {
 
 enum class MotionKind { kVehicle, kHandheld };
 
+/// How a drive through a world differs from the one that the world was laid around.
+struct VisitConfig {
+  /// 0: that drive itself; each other number has other traffic, parked cars and noise of its own.
+  int number = 0;
+  /// From the end of the way to its beginning, on the lane of that direction.
+  bool reversed = false;
+  /// Metres left of the lane.
+  double aside = 0.0;
+};
+
 /// How the platform moves through the world.
 struct RouteConfig {
   WorldKind world = WorldKind::kTown;
@@ -26,6 +36,7 @@ struct RouteConfig {
   /// Distance of the second lap from the first on the route `lateral`, metres, 2 to 8.
   double lateral_offset = 5.0;
   MotionKind motion = MotionKind::kVehicle;
+  VisitConfig visit;
   /// The instant at which the drive begins.
   Stamp start{1700000000000000000};
 };

@@ -26,5 +26,7 @@ struct World {
 /// Lays the world around the route: the way itself stays free, and a place that the route visits
 /// again is the same place.
 World makeWorld(const WorldConfig& config, const Route& route);
+/// The same world, laid around `first`, as a visit finds it: parked cars and traffic are others.
+World makeWorld(const WorldConfig& config, const Route& first, const Route& visit);
 
 }  // namespace revisit_slam::simulation
