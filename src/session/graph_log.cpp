@@ -216,6 +216,10 @@ SubmapClosed closedOf(const Submap& submap, const Points& detail_submap) {
   return closed;
 }
 
+bool belongsToDrive(const LogEntry& entry) {
+  return std::holds_alternative<SubmapClosed>(entry) || std::holds_alternative<ScansAdded>(entry);
+}
+
 std::string graphLogHeader() {
   return recordFileHeader(kKind, kVersion);
 }

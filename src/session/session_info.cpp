@@ -13,7 +13,7 @@
 namespace revisit_slam {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 /// Where a parameter is in nested maps.
 YAML::Node nested(const std::vector<NamedText>& parameters) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -156,6 +157,20 @@ LogReplay replayed(const GraphLog& log, const BackEndConfig& backend, bool with_
   return replay;
 }
 
+/// The drive, and then what the graph made of it: an optimisation looks at scans up to its last one
+/// alone. In sessions of format 1 graph.log holds both. Of a session that is being written the
+/// drive is read last: the graph is never ahead of it.
+GraphLog readLogs(const std::string& folder, std::vector<std::string>& notices) {
+  GraphLog optimisations;
+  if (std::filesystem::exists(optimisationsFile(folder)))
+    optimisations = readGraphLog(optimisationsFile(folder));
+  GraphLog all = readGraphLog(graphLogFile(folder));
+  for (const GraphLog* log : {&all, &optimisations})
+    if (!log->damage.empty()) notices.push_back(log->damage);
+  all.entries.insert(all.entries.end(), optimisations.entries.begin(), optimisations.entries.end());
+  return all;
+}
+
 std::string numbered(const std::string& folder, const char* format, std::uint32_t number) {
   char name[32];
   std::snprintf(name, sizeof(name), format, number);
@@ -170,6 +185,14 @@ StoredParameters storedParameters(const SessionInfo& info) {
   return parameters;
 }
 
+std::string graphLogFile(const std::string& folder) {
+  return folder + "/graph.log";
+}
+
+std::string optimisationsFile(const std::string& folder) {
+  return folder + "/optimisations.log";
+}
+
 std::string submapFile(const std::string& folder, SubmapId id) {
   return numbered(folder, "/submaps/%06u.rsm", id.value);
 }
@@ -182,14 +205,13 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
   Session session;
   session.folder = folder;
   session.info = readSessionInfo(folder + "/session.yaml");
-  const GraphLog log = readGraphLog(folder + "/graph.log");
-  if (!log.damage.empty()) notices.push_back(log.damage);
+  const GraphLog log = readLogs(folder, notices);
   const BackEndConfig backend = storedParameters(session.info).backend;
   std::string problem;
   LogReplay replay = replayed(log, backend, false, problem);
   if (!replay.isExact()) replay = replayed(log, backend, true, problem);
   if (!problem.empty())
-    notices.push_back(folder + "/graph.log: " + problem + "; what follows is left out");
+    notices.push_back("the logs in '" + folder + "': " + problem + "; what follows is left out");
   if (!replay.isExact())
     notices.push_back(
         "this software optimises otherwise than the one that wrote the session: keyposes are as "

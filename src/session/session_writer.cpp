@@ -47,7 +47,8 @@ void SessionWriter::work() {
     noteProblem("");
   } catch (const std::exception& error) {
     noteProblem(error.what());
-    if (log_ && log_->removed()) lost_ = true;
+    for (const auto* log : {&log_, &optimisations_})
+      if (*log && (*log)->removed()) lost_ = true;
   }
 }
 
@@ -79,8 +80,14 @@ void SessionWriter::begin() {
   makeFolder(folder + "/submaps");
   makeFolder(folder + "/local_maps");
   writeSessionInfo(folder + "/session.yaml", info_);
-  if (!log_) log_.emplace(folder + "/graph.log");
-  log_->append(graphLogHeader());
+  beginLog(optimisations_, optimisationsFile(folder));
+  beginLog(log_, graphLogFile(folder));
+}
+
+/// May be tried again, at whatever step it failed.
+void SessionWriter::beginLog(std::optional<GrowingFile>& log, const std::string& path) {
+  if (!log) log.emplace(path);
+  if (log->size() == 0) log->append(graphLogHeader());
 }
 
 void SessionWriter::write(const std::string& path, const std::string& bytes) {
@@ -108,8 +115,9 @@ void SessionWriter::add(const StoredLocalMap& map) {
 
 void SessionWriter::add(LogEntry entry) {
   post([this, entry = std::move(entry)] {
-    log_->append(encodeEntry(entry));
-    log_->sync();
+    GrowingFile& log = belongsToDrive(entry) ? *log_ : *optimisations_;
+    log.append(encodeEntry(entry));
+    log.sync();
   });
 }
 
@@ -126,9 +134,10 @@ void SessionWriter::setClosed(bool closed) {
 }
 
 void requireUnused(const std::string& folder) {
-  for (const char* name : {"session.yaml", "graph.log", "submaps", "local_maps", "run.json",
-                           "odometry.tum", "odometry_information.csv", "scan_times.csv",
-                           "trajectory.tum", "pose_graph.g2o", "map.pcd", "map.bt"})
+  for (const char* name :
+       {"session.yaml", "graph.log", "optimisations.log", "submaps", "local_maps", "run.json",
+        "odometry.tum", "odometry_information.csv", "scan_times.csv", "trajectory.tum",
+        "pose_graph.g2o", "map.pcd", "map.bt"})
     if (std::filesystem::exists(folder + "/" + name))
       throw std::runtime_error("the folder '" + folder + "' holds results already (" + name +
                                "), which are not overwritten: give another one, or remove them");

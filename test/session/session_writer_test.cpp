@@ -78,6 +78,33 @@ TEST(SessionWriter, NoticesThatItsFolderWasRemoved) {
   EXPECT_NE(writer.problem(), "");
 }
 
+/// Searches for loops take as long as the machine needs, while the drive goes on.
+TEST(SessionWriter, TheLogsAreTheSameWhereverInTheDriveTheGraphAnswers) {
+  const TemporaryFolder folder;
+  GraphOptimised optimised;
+  optimised.version = 1;
+  const Submap& source = *StreetDrive::get().updates.at(1)->submap;
+  optimised.last_scan = source.lastScan();
+  optimised.constraints = {someLoop()};
+  optimised.constraints.front().source = source.id;
+  optimised.constraints.front().constraint.to = source.first_scan;
+  optimised.decisions.resize(1);
+  const auto written = [&](const char* name, std::size_t submaps_before) {
+    SessionWriter writer({folder.file(name), "", nullptr, false}, someInfo(), 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i == submaps_before) writer.add(LogEntry(optimised));
+      add(writer, i);
+    }
+    if (submaps_before == 3) writer.add(LogEntry(optimised));
+    writer.close();
+  };
+  written("at_once", 2);
+  written("late", 3);
+  for (const char* log : {"/graph.log", "/optimisations.log"})
+    EXPECT_EQ(textOf(folder.file("at_once") + log), textOf(folder.file("late") + log)) << log;
+  EXPECT_EQ(readQuietly(folder.file("late")).graph.loops.size(), 1u);
+}
+
 TEST(SessionWriter, ASessionThatGoesOnIsOpenAgain) {
   const TemporaryFolder folder;
   const std::string path = folder.file("session");

@@ -23,6 +23,8 @@ class GrowingFile {
 
   /// Whether the file has been removed: what was in it is gone.
   bool removed() const;
+  /// Bytes that were appended.
+  std::uint64_t size() const { return size_; }
   const std::string& path() const { return path_; }
 
  private:

@@ -15,7 +15,8 @@
 
 namespace revisit_slam {
 
-/// What graph.log says (docs/session_format.md). A session is its records, one after the other.
+/// What graph.log and optimisations.log say (docs/session_format.md). Each is the same bytes for
+/// the same drive, however long loops were searched for while it went on.
 
 /// A submap has been closed, and its file is whole.
 struct SubmapClosed {
@@ -62,7 +63,11 @@ struct ParametersChanged {
 using LogEntry =
     std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten, ParametersChanged>;
 
-/// What the log begins with.
+/// Whether an entry is one of graph.log, which follows the drive; else it is one of
+/// optimisations.log, which follows the graph.
+bool belongsToDrive(const LogEntry& entry);
+
+/// What either log begins with.
 std::string graphLogHeader();
 /// An entry as bytes of the log.
 std::string encodeEntry(const LogEntry& entry);

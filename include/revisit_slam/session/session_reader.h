@@ -35,6 +35,8 @@ struct Session {
 };
 
 /// Names of the files of a session.
+std::string graphLogFile(const std::string& folder);
+std::string optimisationsFile(const std::string& folder);
 std::string submapFile(const std::string& folder, SubmapId id);
 std::string localMapFile(const std::string& folder, LocalMapId id);
 

@@ -50,7 +50,7 @@ class SessionWriter {
 
   /// Why something waits to be written; empty: nothing does. Thread-safe.
   std::string problem() const;
-  /// The log has been removed, with all that was in it. Thread-safe.
+  /// A log has been removed, with all that was in it. Thread-safe.
   bool lost() const { return lost_; }
 
   const std::string& folder() const { return target_.folder; }
@@ -63,6 +63,7 @@ class SessionWriter {
   void post(Job job);
   void work();
   void begin();
+  void beginLog(std::optional<GrowingFile>& log, const std::string& path);
   void setClosed(bool closed);
   void write(const std::string& path, const std::string& bytes);
   void noteProblem(const std::string& problem);
@@ -77,7 +78,7 @@ class SessionWriter {
   // Of the thread.
   std::deque<Job> jobs_;
   std::map<SubmapId, MapUpdatePtr> unwritten_;
-  std::optional<GrowingFile> log_;
+  std::optional<GrowingFile> log_, optimisations_;
 
   ThreadLane lane_;  // last: its thread uses the above
 };

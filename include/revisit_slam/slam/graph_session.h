@@ -12,7 +12,7 @@
 #include "revisit_slam/pose_graph/slam_graph.h"
 #include "revisit_slam/session/map_export.h"
 #include "revisit_slam/session/run_folder.h"
-#include "revisit_slam/session/session_writer.h"
+#include "revisit_slam/slam/session_log.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/loop_closures.h"
 
@@ -24,12 +24,6 @@ struct OptimisationCount {
   int rejected = 0;
   double seconds = 0.0;
 };
-
-/// Where a session that begins is to be written.
-using SessionTargets = std::function<SessionTarget(SessionId, Stamp start)>;
-
-/// A new folder for each session in live/folder, named by its first scan; nowhere without one.
-SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor = "");
 
 /// Graph and files of one session (paper Sec. III-D): factors in, corrections out. What cannot be
 /// written waits (SessionWriter), and nothing else does.
@@ -74,19 +68,19 @@ class GraphSession {
   void writeSummary() const;
 
   /// The session as it is now, for exports; its submaps are those in the folder.
-  Session snapshot() const;
+  Session snapshot() const { return log_.snapshot(); }
 
   const SlamGraph& graph() const { return graph_; }
   const OptimisationCount& count() const { return count_; }
-  const std::vector<SubmapPtr>& submaps() const { return submaps_; }
+  const std::vector<SubmapPtr>& submaps() const { return log_.submaps(); }
   /// By number; null where occupancy is switched off.
-  const std::vector<SubmapOccupancyPtr>& occupancies() const { return occupancies_; }
+  const std::vector<SubmapOccupancyPtr>& occupancies() const { return log_.occupancies(); }
   /// Empty: nothing is written unless asked for.
-  const std::string& folder() const { return target_.folder; }
+  const std::string& folder() const { return log_.folder(); }
   /// Why something waits to be written; empty: nothing does.
-  std::string problem() const { return writer_ ? writer_->problem() : ""; }
+  std::string problem() const { return log_.problem(); }
   /// Whether every scan is in a submap that is closed.
-  bool isWhole() const { return logged_scans_ == graph_.size(); }
+  bool isWhole() const { return log_.isWhole(); }
 
  private:
   void optimise(ScanId last, const std::vector<LoopConstraint>& loops, std::uint32_t request,
@@ -94,37 +88,16 @@ class GraphSession {
   void answer(ScanId last, std::uint32_t request);
   void doWhatIsDue();
 
-  void log(const MapUpdatePtr& update);
-  void logOptimisation(std::vector<LoopConstraint> loops, std::optional<LoopId> disabled);
-  void logTrajectory();
-  GraphOptimised optimised(std::vector<LoopConstraint> new_loops) const;
-  TrajectoryWritten optimisedTrajectory() const;
-  std::vector<GraphNode> nodesFrom(std::size_t first, std::size_t end) const;
-  void careForWriter();
-  void writeAll(SessionWriter& writer, const SessionWriter* lost) const;
-  MapUpdatePtr stored(std::size_t submap, const SessionWriter* lost) const;
-  void requireWritten();
-
   const SessionId id_;
   SlamConfig config_;
-  SessionInfo info_;
-  SessionTarget target_;
   SlamGraph graph_;
   const OnCorrection on_correction_;
   std::uint32_t version_ = 0;
   std::optional<ScanId> last_optimised_;  // may also have come without loops
-  ScanId last_corrected_;                 // of version_
   OptimisationCount count_;
 
-  std::vector<SubmapPtr> submaps_;  // by number
-  std::vector<SubmapOccupancyPtr> occupancies_;
-  std::vector<SubmapClosed> closed_;  // those of submaps_ whose scans are all there
-  std::size_t logged_scans_ = 0;      // that are in closed_
-  std::vector<StoredLocalMap> local_maps_;
+  SessionLog log_;
   std::vector<LocalMapPtr> unsearched_;  // local maps
-
-  std::unique_ptr<SessionWriter> writer_;  // null: nothing is written
-  std::uint32_t trajectory_version_ = 0;   // of what was logged
 
   struct Later {
     std::size_t scans;

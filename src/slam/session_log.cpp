@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/session_log.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/session/stored_submap.h"
+
+namespace revisit_slam {
+namespace {
+
+SessionInfo infoOf(SessionId id, SlamConfig config, Stamp start, const std::string& sensor) {
+  SessionInfo info;
+  info.software = softwareVersion();
+  info.id = id;
+  info.start = start;
+  info.map_frame = config.frames.map;
+  info.odom_frame = config.frames.odom;
+  info.base_frame = config.frames.base;
+  info.sensor = sensor;
+  info.parameters = textOf(parametersOf(config));
+  return info;
+}
+
+/// Throws where something could not be written.
+void requireWritten(SessionWriter& writer) {
+  writer.drain();
+  if (!writer.problem().empty()) throw std::runtime_error(writer.problem());
+}
+
+}  // namespace
+
+SessionLog::SessionLog(SessionId id, const SlamConfig& config, Stamp start,
+                       const SessionTarget& target, const SlamGraph& graph)
+    : graph_(graph),
+      niceness_(config.background.niceness),
+      info_(infoOf(id, config, start, target.sensor)),
+      target_(target) {
+  if (!target_.folder.empty()) writer_ = std::make_unique<SessionWriter>(target_, info_, niceness_);
+}
+
+void SessionLog::keep(const MapUpdatePtr& update) {
+  submaps_.push_back(update->submap);
+  occupancies_.push_back(update->occupancy);
+}
+
+void SessionLog::add(const MapUpdatePtr& update) {
+  const std::size_t end = update->submap->lastScan().value + 1;
+  closed_.push_back(closedOf(*update->submap, update->detail_submap));
+  if (writer_) writer_->add(nodesFrom(logged_scans_, end), closed_.back(), update);
+  logged_scans_ = end;
+}
+
+void SessionLog::add(StoredLocalMap map) {
+  local_maps_.push_back(std::move(map));
+  if (writer_) writer_->add(local_maps_.back());
+}
+
+void SessionLog::add(std::uint32_t version, ScanId last, std::vector<LoopConstraint> new_loops,
+                     std::optional<LoopId> disabled) {
+  version_ = version;
+  last_corrected_ = last;
+  if (!writer_) return;
+  GraphOptimised entry = optimised(std::move(new_loops));
+  entry.disabled = disabled;
+  writer_->add(LogEntry(std::move(entry)));
+}
+
+void SessionLog::add(const BackEndConfig& changed) {
+  if (!writer_) return;
+  StoredParameters parameters;
+  parameters.backend = changed;
+  ParametersChanged entry;
+  for (const NamedText& value : textOf(parametersOf(parameters)))
+    if (value.first.rfind("backend/", 0) == 0) entry.values.push_back(value);
+  writer_->add(LogEntry(entry));
+}
+
+std::vector<GraphNode> SessionLog::nodesFrom(std::size_t first, std::size_t end) const {
+  const auto begin = graph_.nodes().begin();
+  return {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end)};
+}
+
+GraphOptimised SessionLog::optimised(std::vector<LoopConstraint> new_loops) const {
+  GraphOptimised entry;
+  entry.version = version_;
+  entry.last_scan = last_corrected_;
+  entry.constraints = std::move(new_loops);
+  entry.T_map_odom = graph_.T_map_odom();
+  for (const SubmapClosed& submap : closed_)
+    if (!(last_corrected_ < submap.first_scan))
+      entry.T_map_keypose.push_back(graph_.pose(submap.first_scan));
+  for (const LoopEdge& edge : graph_.loops())
+    entry.decisions.push_back({edge.state, edge.chi2_before, edge.chi2_after, edge.weight});
+  return entry;
+}
+
+TrajectoryWritten SessionLog::optimisedTrajectory() const {
+  TrajectoryWritten entry;
+  entry.version = version_;
+  for (std::uint32_t i = 0; i <= last_corrected_.value; ++i)
+    entry.T_map_scan.push_back(graph_.pose({i, info_.id}));
+  return entry;
+}
+
+/// So that reading the session needs no solver.
+void SessionLog::addTrajectory() {
+  if (trajectory_version_ == version_) return;
+  writer_->add(LogEntry(optimisedTrajectory()));
+  trajectory_version_ = version_;
+}
+
+void SessionLog::careForWriter() {
+  constexpr std::size_t scans = 10;
+  if (!writer_ || graph_.size() % scans != 0 || writer_->problem().empty()) return;
+  if (!writer_->lost()) return writer_->retry();
+  writer_->drain();
+  for (const std::string& log : {graphLogFile(target_.folder), optimisationsFile(target_.folder)}) {
+    std::error_code ignored;
+    std::filesystem::remove(log, ignored);  // one alone says too little
+  }
+  SessionTarget target = target_;
+  target.lock = nullptr;
+  target.is_ours = true;
+  auto anew = std::make_unique<SessionWriter>(target, info_, niceness_);
+  writeAll(*anew, writer_.get());
+  writer_ = std::move(anew);
+}
+
+/// As finely as there is something: where its file is gone, the points of a submap alone.
+MapUpdatePtr SessionLog::stored(std::size_t submap, const SessionWriter* lost) const {
+  const SubmapId id = submaps_[submap]->id;
+  if (const SessionWriter* source = lost ? lost : writer_.get()) {
+    const auto unwritten = source->unwritten().find(id);
+    if (unwritten != source->unwritten().end()) return unwritten->second;
+  }
+  auto update = std::make_shared<MapUpdate>();
+  update->submap = submaps_[submap];
+  update->occupancy = occupancies_[submap];
+  update->detail_submap = submaps_[submap]->points;
+  try {
+    if (writer_)
+      update->detail_submap =
+          readSubmap(submapFile(target_.folder, id), {SubmapRecord::detail}).detail_submap;
+  } catch (const std::runtime_error&) {
+  }
+  return update;
+}
+
+void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) const {
+  std::size_t scans = 0;
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const std::size_t end = closed_[i].last_scan.value + 1;
+    writer.add(nodesFrom(scans, end), closed_[i], stored(i, lost));
+    scans = end;
+    if (!lost) writer.drain();  // one in memory at a time
+  }
+  for (const StoredLocalMap& map : local_maps_) writer.add(map);
+  if (version_ == 0) return;
+  std::vector<LoopConstraint> loops;
+  for (const LoopEdge& edge : graph_.loops()) loops.push_back(edge.loop);
+  writer.add(LogEntry(optimised(std::move(loops))));
+  writer.add(LogEntry(optimisedTrajectory()));
+}
+
+Session SessionLog::snapshot() const {
+  return {target_.folder, info_, closed_, graphOf(graph_)};
+}
+
+void SessionLog::flush(bool open_scans) {
+  if (!writer_) return;
+  if (open_scans && !isWhole())
+    writer_->add(LogEntry(ScansAdded{nodesFrom(logged_scans_, graph_.size())}));
+  addTrajectory();
+  if (isWhole()) writer_->close();
+  requireWritten(*writer_);
+}
+
+void SessionLog::copyTo(const std::string& folder) {
+  if (writer_) writer_->drain();  // what is copied is on disk, or known to wait
+  SessionWriter writer({folder, target_.sensor, nullptr, false}, info_, niceness_);
+  writeAll(writer, nullptr);
+  writer.add(LogEntry(ScansAdded{nodesFrom(logged_scans_, graph_.size())}));
+  if (isWhole()) writer.close();
+  requireWritten(writer);
+}
+
+}  // namespace revisit_slam
