@@ -49,8 +49,13 @@ Matrix6 OdometryPrior::covarianceOf(const Tangent& motion, double seconds,
   if (end.velocity_covariance) {
     covariance = squared(seconds) * *end.velocity_covariance;
   } else {
-    covariance.diagonal().head<3>().setConstant(squared(noise_.translation_per_metre * metres) +
-                                                squared(noise_.translation_per_radian * radians));
+    // Wheels count the way wrong along itself; across it they slip.
+    const Eigen::Vector3d along = motion.head<3>();
+    const double across = squared(noise_.slip_per_metre);
+    covariance.topLeftCorner<3, 3>() =
+        (squared(noise_.translation_per_metre) - across) * along * along.transpose();
+    covariance.diagonal().head<3>().array() +=
+        across * squared(metres) + squared(noise_.translation_per_radian * radians);
     covariance.diagonal().tail<3>().setConstant(squared(noise_.rotation_per_metre * metres) +
                                                 squared(noise_.rotation_per_radian * radians));
   }

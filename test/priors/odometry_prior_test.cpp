@@ -43,6 +43,21 @@ TEST(OdometryPrior, WithoutCovarianceTheErrorGrowsWithWhatWasTravelled) {
   EXPECT_NEAR(sigma(1.0, 0) / sigma(0.5, 0), 2.0, 0.05);
 }
 
+TEST(OdometryPrior, AcrossTheWayTheErrorIsThatOfSlip) {
+  OdometryPrior prior{PriorsConfig{}};
+  const Tangent forwards_and_aside = (Tangent() << 3.0, 3.0, 0.0, 0.0, 0.0, 0.0).finished();
+  for (const double t : {0.0, 0.1})
+    prior.readings().take(odometryAt(kStart, t, forwards_and_aside));
+  const Matrix6 covariance = prior.motion(kStart, kStart.plusSeconds(0.1))->covariance;
+  const auto sigma = [&](const Eigen::Vector3d& axis) {
+    return std::sqrt(axis.dot(covariance.topLeftCorner<3, 3>() * axis));
+  };
+  const double way = 0.1 * 3.0 * std::sqrt(2.0);
+  EXPECT_NEAR(sigma(Eigen::Vector3d(1.0, 1.0, 0.0).normalized()), 0.02 * way, 1e-3);
+  EXPECT_LT(sigma(Eigen::Vector3d(1.0, -1.0, 0.0).normalized()), 0.01 * way);
+  EXPECT_LT(sigma(Eigen::Vector3d::UnitZ()), 0.01 * way);
+}
+
 TEST(OdometryPrior, ACovarianceOfTheVelocityIsTaken) {
   OdometryPrior prior = priorUntil(0.0);
   OdometryReading reading = odometryAt(kStart, 0.1, kVelocity);

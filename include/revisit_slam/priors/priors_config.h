@@ -11,6 +11,7 @@ namespace revisit_slam {
 /// Probabilistic Robotics, Sec. 5.4): standard deviations that grow with what was travelled.
 struct OdometryNoiseConfig {
   double translation_per_metre = 0.02;
+  double slip_per_metre = 0.004;
   double translation_per_radian = 0.05;
   double rotation_per_metre = 0.002;
   double rotation_per_radian = 0.03;
@@ -18,8 +19,12 @@ struct OdometryNoiseConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("translation_per_metre", translation_per_metre, Range{1e-4, 1.0}, "",
-      "error in metres of each metre travelled, where messages bear no covariance. Raise it if "
+      "error in metres along each metre travelled, where messages bear no covariance. Raise it if "
       "wheels slip; lower it if the pose drifts along in bare surroundings");
+    v("slip_per_metre", slip_per_metre, Range{1e-4, 1.0}, "",
+      "error in metres across each metre travelled, where messages bear no covariance. Raise it "
+      "for "
+      "tracks and on loose ground; lower it if traffic in bends moves the pose aside");
     v("translation_per_radian", translation_per_radian, Range{0.0, 10.0}, "m/rad",
       "error in metres of each radian turned, where messages bear no covariance. Raise it if "
       "wheels skid in turns; lower it if the pose slips in turns");
