@@ -25,6 +25,28 @@ source_workspace() {
   set -u
 }
 
+as_root() {
+  if [[ "$(id -u)" == 0 ]]; then
+    "$@"
+  else
+    command -v sudo >/dev/null || fail "sudo is needed to install packages"
+    sudo "$@"
+  fi
+}
+
+missing_packages() {
+  local package
+  for package in "$@"; do
+    [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] ||
+      echo "$package"
+  done
+}
+
+apt_get() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 \
+    -o Acquire::Retries=3 "$@"
+}
+
 # Nodes of a test or a demo must find each other whatever this machine calls itself.
 use_local_master() {
   export ROS_MASTER_URI=http://localhost:11311

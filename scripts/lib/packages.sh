@@ -26,3 +26,6 @@ TEST_PACKAGES=(
   python3-rostest librostest-dev libgtest-dev python3-geometry-msgs python3-std-msgs
   clang-format clang-tidy git
 )
+
+# Of scripts/fuzz alone.
+FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev libomp-14-dev llvm-14)

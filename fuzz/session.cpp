@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The first byte chooses a file of a session, and whether the others are its bytes or records that
+// get checksums: a length of two bytes, a type, contents. All files beside it are good.
+#include <algorithm>
+
+#include "readers.h"
+#include "revisit_slam/io/record_file.h"
+#include "revisit_slam/session/map_export.h"
+#include "revisit_slam/session/stored_local_map.h"
+#include "revisit_slam/session/stored_submap.h"
+#include "scratch.h"
+
+namespace revisit_slam::fuzz {
+namespace {
+
+struct Kind {
+  const char* file;
+  const char* begins;  // a file of records; empty: of bytes
+};
+const Kind kKinds[] = {{"session.yaml", ""},
+                       {"graph.log", ""},
+                       {"graph.log", "RSGRAPH\n"},
+                       {"submaps/000000.rsm", ""},
+                       {"submaps/000000.rsm", "RSSUBMAP"},
+                       {"local_maps/0000.rsm", ""},
+                       {"local_maps/0000.rsm", "RSLOCMAP"}};
+
+constexpr const char* kGood = REVISIT_SLAM_SOURCE_FOLDER "/test/session/format_1";
+
+std::string fileOfRecords(const std::string& begins, const std::string& bytes) {
+  std::string file = recordFileHeader(begins, 1);
+  for (std::size_t i = 0; i + 3 <= bytes.size();) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
+    const std::size_t length = byte(0) + 256u * byte(1);
+    file += encodeRecord({byte(2), bytes.substr(i + 3, length)});
+    i += 3 + length;
+  }
+  return file;
+}
+
+std::string recordsOf(const std::string& path, const std::string& begins) {
+  std::string bytes;
+  for (const Record& record : readRecordFile(path, begins, 1).records) {
+    bytes += static_cast<char>(record.payload.size() % 256);
+    bytes += static_cast<char>(record.payload.size() / 256);
+    bytes += static_cast<char>(record.type) + record.payload;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void readSessionFiles(const std::string& bytes) {
+  if (bytes.empty()) return;
+  const Kind& kind = kKinds[static_cast<unsigned char>(bytes[0]) % std::size(kKinds)];
+  static const Scratch scratch;
+  const std::string folder = scratch.file("session");
+  std::filesystem::remove_all(folder);
+  std::filesystem::copy(kGood, folder, std::filesystem::copy_options::recursive);
+  const std::string begins = kind.begins, rest = bytes.substr(1);
+  scratch.with(std::string("session/") + kind.file,
+               begins.empty() ? rest : fileOfRecords(begins, rest));
+  const bool of_local_map = std::string(kind.file).rfind("local_maps", 0) == 0;
+  if (of_local_map) readLocalMap(localMapFile(folder, LocalMapId{0}));
+  if (of_local_map) return;
+  std::vector<std::string> notices;
+  const Session session = readSession(folder, notices);
+  readSubmap(submapFile(folder, SubmapId{0}),
+             {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
+  exportSession(session, scratch.file("out"));
+}
+
+Seeds seedsOfSession() {
+  Seeds seeds;
+  for (const Kind& kind : kKinds) {
+    const std::string path = std::string(kGood) + "/" + kind.file, begins = kind.begins;
+    seeds.push_back(std::string(1, static_cast<char>(seeds.size())) +
+                    (begins.empty() ? bytesOfFile(path) : recordsOf(path, begins)));
+  }
+  return seeds;
+}
+
+}  // namespace revisit_slam::fuzz
