@@ -18,7 +18,7 @@ endif()
 
 if(REVISIT_SLAM_FUZZ)
   set(read_sources ${core_sources})
-  list(FILTER read_sources EXCLUDE REGEX "src/(odometry|information|slam|loops/(search|acceptance|association|registration))/")
+  list(FILTER read_sources EXCLUDE REGEX "src/(odometry|information|slam|loops/(search|acceptance|association))/")
   foreach(source scan_reader point_message point_fields livox_custom_msg)
     list(APPEND read_sources src/ros/input/${source}.cpp)
   endforeach()

@@ -203,12 +203,17 @@ class Soak:
             self.send(self.drive.skip())
 
     def settle(self) -> None:
-        """Waits until every scan is accounted for, and takes note."""
+        """Waits until every scan is accounted for, and takes note. An odometry that does not catch
+        up is no scan lost, but worth a look: it is ended, and another one started."""
         is_settled = self.wait(
             lambda: self.odometry.number("scans waiting") == 0
             and self.odometry.unaccounted(self.sent) == 0,
             "the account",
         )
+        if not is_settled and self.odometry.number("scans waiting") > 0:
+            self.counts["times behind"] += 1
+            print(f"behind for {PATIENCE:.0f} s, and ended: {self.odometry.values}", flush=True)
+            return self.kill()
         if not is_settled:
             missing = self.odometry.unaccounted(self.sent)
             self.lost_scans += missing
@@ -343,6 +348,7 @@ class Soak:
         print(f"scans                 {self.counts['scans sent']} sent, {self.lost_scans} unaccounted")
         print(f"memory slope          {slope}")
         print(f"p99 of a scan         {first:.1f} -> {last:.1f} ms")
+        print(f"never caught up       {self.counts['times behind']} times")
         print(f"sessions              {self.counts['sessions checked']} checked, {broken} broken")
         happened = {k: v for k, v in self.counts.items() if " " not in k}
         print("events                " + ", ".join(f"{k} {v}" for k, v in sorted(happened.items())))
