@@ -24,7 +24,9 @@ class Sweeps {
     config_.time_origin = origins[b / 5 % 3];
     config_.header_stamp = instants[b / 15 % 4];
     if (a / 48 % 4 == 3) config_.time_field = "azimuth";
-    for (int i = 0; i < 8; ++i) header_.nanoseconds = header_.nanoseconds * 256 | byte();
+    std::uint64_t stamp = 0;
+    for (int i = 0; i < 8; ++i) stamp = stamp << 8 | byte();
+    header_.nanoseconds = static_cast<std::int64_t>(stamp);
   }
 
   void read() {
