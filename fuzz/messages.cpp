@@ -35,9 +35,10 @@ Seeds seedsOfPointCloud2() {
   for (auto& builder :
        {PointCloudBuilder().xyz(), PointCloudBuilder().xyz().field("t", Field::UINT32),
         PointCloudBuilder().xyz(Field::FLOAT64).field("time", Field::FLOAT64).bigEndian(),
-        PointCloudBuilder().xyz().field("timestamp", Field::FLOAT64).rows(4, 8),
-        PointCloudBuilder().xyz(Field::INT16).field("ring", Field::UINT16)})
+        PointCloudBuilder().xyz().field("timestamp", Field::FLOAT64).rows(4, 8)})
     seeds.push_back(textOf(bytesOf(PointCloudBuilder(builder).build(points))));
+  PointCloudBuilder rings = PointCloudBuilder().xyz(Field::INT16).field("ring", Field::UINT16);
+  seeds.push_back(textOf(bytesOf(rings.build(sweep(0, 64, 24)))));
   return seeds;
 }
 
