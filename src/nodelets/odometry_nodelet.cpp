@@ -80,6 +80,7 @@ class OdometryNodelet : public SlamNodelet {
   // In the thread of the queue.
 
   void handle(const Message& message) {
+    countUncounted();
     if (reset_requested_.exchange(false)) startSession();
     if (!placement_->baseFrame().empty()) takeMotion();
     std::visit([this](const auto& what) { take(what); }, message);
@@ -185,13 +186,21 @@ class OdometryNodelet : public SlamNodelet {
     stage_->countDropped(reason);
   }
 
+  /// What callbacks have dropped: they must not wait until a scan is registered.
+  void countUncounted() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (std::size_t n = full_.exchange(0); n > 0; --n) stage_->countDropped("queue full");
+    for (std::size_t n = damaged_.exchange(0); n > 0; --n)
+      stage_->countDropped(describe(ScanRejection::bad_layout));
+  }
+
   void onDamaged(const std::string& fault) {
-    drop(describe(ScanRejection::bad_layout));
+    ++damaged_;
     NODELET_WARN_THROTTLE(5.0, "scan dropped: bad layout: %s", fault.c_str());
   }
 
   void onQueueFull() {
-    drop("queue full");
+    ++full_;
     NODELET_WARN_THROTTLE(5.0,
                           "the odometry does not keep up: the oldest waiting scan was dropped");
   }
@@ -205,6 +214,7 @@ class OdometryNodelet : public SlamNodelet {
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
+    countUncounted();
     const std::lock_guard<std::mutex> lock(mutex_);
     flushWhereNoneComes();
     const ScanAccount& account = stage_->account();
@@ -248,6 +258,7 @@ class OdometryNodelet : public SlamNodelet {
   std::size_t reported_drops_ = 0, received_before_ = 0;
 
   std::atomic<bool> reset_requested_{false};
+  std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
   MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
