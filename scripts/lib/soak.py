@@ -379,6 +379,7 @@ def main() -> None:
     arguments = parser.parse_args()
     if arguments.minutes is not None:
         arguments.hours = arguments.minutes / 60.0
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # leaves nothing behind
     soak = Soak(arguments)
     try:
         status = soak.run()
