@@ -20,7 +20,7 @@ endif()
 
 # From the ground up: a room includes itself and those before it.
 set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp priors odometry information occupancy mapping pose_graph loops io
-    datasets evaluation session slam)
+    datasets evaluation session localization slam)
 set(core_sources)
 foreach(folder ${REVISIT_SLAM_CORE_FOLDERS})
   file(GLOB_RECURSE folder_sources CONFIGURE_DEPENDS src/${folder}/*.cpp)

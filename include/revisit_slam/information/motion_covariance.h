@@ -46,12 +46,14 @@ class MotionCovariance {
 /// of T_odom_base, [translation; rotation] in the base frame.
 class PoseCovariance {
  public:
+  explicit PoseCovariance(const Matrix6& start = Matrix6::Zero()) : covariance_(start) {}
+
   /// `T_previous_current`: the motion; `covariance_motion`: in the current base frame.
   void move(const Pose& T_previous_current, const Matrix6& covariance_motion);
   const Matrix6& base() const { return covariance_; }
 
  private:
-  Matrix6 covariance_ = Matrix6::Zero();
+  Matrix6 covariance_;
 };
 
 /// Right perturbations in the base frame turned into the axes of the frame that the pose is given

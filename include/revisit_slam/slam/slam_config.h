@@ -3,6 +3,7 @@
 
 #include "revisit_slam/information/information_config.h"
 #include "revisit_slam/input/scan_input_config.h"
+#include "revisit_slam/localization/localization_config.h"
 #include "revisit_slam/loops/search/loops_config.h"
 #include "revisit_slam/loops/search/retroactive_search.h"
 #include "revisit_slam/mapping/mapping_config.h"
@@ -89,6 +90,7 @@ struct SlamConfig {
   LoopsConfig loops;
   RetroactiveConfig retroactive;
   BackEndConfig backend;
+  LocalizationConfig localization;
   BackgroundConfig background;
   LiveConfig live;
 
@@ -104,6 +106,7 @@ struct SlamConfig {
     v.group("loops", loops);
     v.group("retroactive", retroactive);
     v.group("backend", backend);
+    v.group("localization", localization);
     v.group("background", background);
     v.group("live", live);
   }

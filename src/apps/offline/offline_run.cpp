@@ -11,9 +11,25 @@
 
 namespace revisit_slam {
 
+namespace {
+
+/// Where a drive is localized nothing is mapped.
+SlamConfig withOrWithoutMaps(SlamConfig config) {
+  config.mapping.enabled = config.mapping.enabled && config.localization.map.empty();
+  return config;
+}
+
+/// How many of `size` scans are used.
+std::size_t countOf(const OfflineExtent& extent, std::size_t size) {
+  const std::size_t left = size - std::min(size, extent.first_scan);
+  return extent.max_scans > 0 ? std::min(extent.max_scans, left) : left;
+}
+
+}  // namespace
+
 OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
-                       const std::string& folder, std::size_t max_scans, bool quiet)
-    : config_(config),
+                       const std::string& folder, OfflineExtent extent, bool quiet)
+    : config_(withOrWithoutMaps(config)),
       source_(std::move(source)),
       folder_(folder),
       reader_(config.input),
@@ -22,11 +38,15 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
                        if (frame == tracked_frame_) return Pose::identity();
                        return source_->findExtrinsics(tracked_frame_, frame);
                      }),
-      total_(max_scans > 0 ? std::min(max_scans, source_->size()) : source_->size()),
-      progress_("mapping", "scans", total_, quiet),
+      extent_(extent),
+      total_(countOf(extent, source_->size())),
+      progress_(config_.mapping.enabled ? "mapping" : "localizing", "scans", total_, quiet),
       executor_(config.background),
-      slam_(config, *this, executor_,
-            [this](SessionId session, Stamp) { return targetOf(session); }) {}
+      slam_(config_, *this, executor_,
+            [this](SessionId session, Stamp) { return targetOf(session); }) {
+  if (config.localization.map.empty()) return;
+  localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
+}
 
 void OfflineRun::run() {
   progress_.say(source_->description() + ", " + std::to_string(total_) + " scans");
@@ -56,13 +76,14 @@ void OfflineRun::placeSensor() {
 }
 
 void OfflineRun::processAll() {
-  std::size_t done = 0;
+  std::size_t done = 0, passed = 0;
   double cpu_before_reading = threadCpuSeconds();
   source_->forEach([&](const ScanMessage& message) {
     reading_cpu_seconds_ += threadCpuSeconds() - cpu_before_reading;
     const bool is_motion = std::holds_alternative<MotionMessage>(message) ||
                            std::holds_alternative<UnreadableMotion>(message);
     if (interruption() != 0 || (!is_motion && done == total_)) return false;
+    if (!is_motion && passed++ < extent_.first_scan) return true;
     process(message);
     if (!is_motion) progress_.update(++done);
     cpu_before_reading = threadCpuSeconds();
@@ -118,7 +139,14 @@ void OfflineRun::onScan(const InformedScan& informed, const StageTimes& times) {
   const std::string notice = verdicts_.take(informed);
   if (!notice.empty())
     progress_.say("scan " + std::to_string(slam_.account().received) + ": " + notice);
-  folder_.add(informed, times);
+  StageTimes all_times = times;
+  if (localized_) {
+    StageClock clock;
+    localized_->add(informed);
+    clock.stage("localization");
+    for (const auto& time : clock.times()) all_times.push_back(time);
+  }
+  folder_.add(informed, all_times);
 }
 
 void OfflineRun::onRejection(const std::string& reason) {
@@ -208,6 +236,7 @@ void OfflineRun::writeResults() {
     exportMaps(*slam_.session());
     judgeConsistency(summary);
   }
+  if (localized_) localized_->finish();
   folder_.finish(summary);
   if (account.processed == 0)
     throw BagError("not one of " + std::to_string(account.received) + " scans could be processed");

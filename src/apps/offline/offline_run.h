@@ -4,9 +4,11 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "localized_drive.h"
 #include "revisit_slam/ros/input/motion_reader.h"
 #include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/input/scan_source.h"
@@ -17,12 +19,18 @@
 
 namespace revisit_slam {
 
-/// Maps recorded scans as fast as the machine allows and leaves a folder of results.
+/// Which of the scans of a recording are used.
+struct OfflineExtent {
+  std::size_t first_scan = 0;
+  std::size_t max_scans = 0;  ///< 0: all that follow
+};
+
+/// Maps recorded scans as fast as the machine allows and leaves a folder of results; or
+/// localizes them, where localization/map names a session.
 class OfflineRun : private SlamObserver {
  public:
-  /// `max_scans` 0: all.
   OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
-             const std::string& folder, std::size_t max_scans, bool quiet);
+             const std::string& folder, OfflineExtent extent, bool quiet);
 
   void run();
 
@@ -63,9 +71,11 @@ class OfflineRun : private SlamObserver {
   RunFolder folder_;
   ScanReader reader_;
   MotionReader motion_reader_;
+  OfflineExtent extent_;
   std::size_t total_;
   Progress progress_;
   VerdictNotice verdicts_;
+  std::optional<LocalizedDrive> localized_;
   std::string tracked_frame_, said_time_source_;
   double reading_cpu_seconds_ = 0.0, finish_seconds_ = 0.0;
   std::vector<MemoryMark> memory_;

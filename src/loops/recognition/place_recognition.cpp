@@ -72,18 +72,29 @@ std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
 std::optional<PlaceMatch> PlaceRecognition::recognise(const LocalMap& map) {
   last_ = viewPlace(map, config_);
   const auto excluded = static_cast<std::size_t>(config_.newest_excluded);
-  std::vector<std::optional<PlaceMatch>> found(places_.size() - std::min(places_.size(), excluded));
-  Chunks(found.size(), kMapsAtATime).forEach([&](std::size_t, Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) found[i] = compare(last_, places_[i]);
-  });
-  candidates_.clear();
-  for (const auto& match : found)
-    if (match) candidates_.push_back(*match);
-  std::sort(candidates_.begin(), candidates_.end(), isBetter);
-  places_.push_back({map.id, last_.T_level_local, last_.features.keypoints,
-                     DescriptorBlocks(last_.features.descriptors)});
+  candidates_ = find(last_, places_.size() - std::min(places_.size(), excluded));
+  add(map.id, last_.T_level_local, last_.features);
   if (candidates_.empty() || candidates_.front().inliers <= config_.min_inliers) return {};
   return candidates_.front();
+}
+
+void PlaceRecognition::add(LocalMapId id, const Pose& T_level_local,
+                           const PlaceFeatures& features) {
+  places_.push_back(
+      {id, T_level_local, features.keypoints, DescriptorBlocks(features.descriptors)});
+}
+
+/// Among the first `places`.
+std::vector<PlaceMatch> PlaceRecognition::find(const PlaceView& query, std::size_t places) const {
+  std::vector<std::optional<PlaceMatch>> found(places);
+  Chunks(found.size(), kMapsAtATime).forEach([&](std::size_t, Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) found[i] = compare(query, places_[i]);
+  });
+  std::vector<PlaceMatch> matches;
+  for (const auto& match : found)
+    if (match) matches.push_back(*match);
+  std::sort(matches.begin(), matches.end(), isBetter);
+  return matches;
 }
 
 std::size_t PlaceRecognition::bytes() const {

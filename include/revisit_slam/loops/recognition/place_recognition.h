@@ -44,6 +44,11 @@ class PlaceRecognition {
   /// @return the best candidate, if more than min_inliers features agree on it.
   std::optional<PlaceMatch> recognise(const LocalMap& map);
 
+  /// A place that another drive has seen.
+  void add(LocalMapId id, const Pose& T_level_local, const PlaceFeatures& features);
+  /// Of all places so far those on which at least three features of the query agree, best first.
+  std::vector<PlaceMatch> find(const PlaceView& query) const { return find(query, places_.size()); }
+
   /// Earlier maps on which at least three features of the last query agreed, best first.
   const std::vector<PlaceMatch>& candidates() const { return candidates_; }
 
@@ -63,6 +68,7 @@ class PlaceRecognition {
     DescriptorBlocks descriptors;
   };
 
+  std::vector<PlaceMatch> find(const PlaceView& query, std::size_t places) const;
   std::optional<PlaceMatch> compare(const PlaceView& query, const Place& place) const;
 
   PlaceRecognitionConfig config_;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "revisit_slam/information/information_config.h"
+#include "revisit_slam/localization/prior_map.h"
+#include "revisit_slam/loops/acceptance/loop_closer.h"
+
+namespace revisit_slam {
+
+/// What became of registering the last metres to the map.
+struct MapMatch {
+  bool accepted = false;
+  std::string reason;  ///< empty if accepted
+  SubmapId target;     ///< of the map
+  Pose T_map_open;     ///< where the registration ended, if `registered`
+  bool registered = false;
+  Matrix6 information = Matrix6::Identity();  ///< for right perturbations of T_map_open
+  double mean_squared_residual = 0.0;         ///< m^2
+  double overlap = 0.0;                       ///< 0 … 1, FineRegistrationResult::fitness
+  double coherence = 0.0;                     ///< likewise
+};
+
+/// Registers an open submap to the submap of the map that sees most of the same, with the gates of
+/// a loop whose place something else speaks for. Runs in the current TBB arena.
+class MapMatcher {
+ public:
+  /// `min_overlap`: LocalizationConfig::min_overlap.
+  MapMatcher(PriorMapPtr map, LoopCloserConfig closer, const InformationConfig& information,
+             double min_overlap);
+
+  /// From where the odometry has carried the last fix, `travelled` m ago: the registration may
+  /// differ by no more than two loops of the same maps may (PairwiseConsistencyConfig).
+  MapMatch track(const SubmapPtr& open, const Pose& T_map_open, double travelled) const;
+  /// From a guess that is off by metres: where a registration from it ends is the guess of a second
+  /// one, which has to stay there.
+  MapMatch relocate(const SubmapPtr& open, const Pose& T_map_open) const;
+
+ private:
+  MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open) const;
+  std::vector<PlacedSubmap> near(const Eigen::Vector3d& position) const;
+
+  PriorMapPtr map_;
+  LoopCloserConfig config_;
+  LoopCloser coarse_to_fine_, fine_;  // from guesses that are off by metres, and by decimetres
+};
+
+}  // namespace revisit_slam

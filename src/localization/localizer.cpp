@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/localization/localizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace revisit_slam {
+const char* toString(LocalizationState state) {
+  switch (state) {
+    case LocalizationState::searching:
+      return "searching";
+    case LocalizationState::candidate:
+      return "candidate";
+    case LocalizationState::localized:
+      return "localized";
+    case LocalizationState::lost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+Localizer::Localizer(const LocalizerConfig& config, PriorMapPtr map)
+    : config_(config),
+      map_(std::move(map)),
+      matcher_(map_, config.loops.closer, config.information, config.localization.min_overlap),
+      places_(map_, config.loops.recognition),
+      recent_(config.submap_voxel_size, config.localization.search_length),
+      window_(config.backend) {
+  if (const std::optional<Pose> start = revisit_slam::startPose(config.localization.start, *map_))
+    startAt(*start);
+}
+
+void Localizer::startAt(const Pose& T_map_base) {
+  start_ = T_map_base * T_odom_base_.inverse();
+  now_.state = LocalizationState::candidate;
+  now_.T_map_odom = *start_;
+  attempted_at_ = -config_.localization.interval;  // at once
+}
+
+Localization Localizer::add(const InformedScan& informed) {
+  const RegisteredScan& scan = *informed.scan;
+  if (!has_scans_ || now_.scan.session != scan.id.session) {
+    beginSession(informed);
+  } else if (now_.scan == scan.id) {  // the base rests
+    now_.attempted = false;
+    now_.stamp = scan.stamp;
+    return now_;
+  } else {
+    covariance_.move(T_odom_base_.inverse() * scan.T_odom_base, informed.covariance_motion);
+  }
+  now_.scan = scan.id;
+  now_.stamp = scan.stamp;
+  now_.attempted = false;
+  T_odom_base_ = scan.T_odom_base;
+  recent_.insert(scan);
+  window_.add(nodeOf(informed));
+  window_.shorten(config_.localization.window);
+  attempt();
+  now_.T_map_base = now_.T_map_odom * T_odom_base_;
+  now_.since_fix = recent_.travelled() - fixed_at_;
+  now_.covariance = covariance_.base();
+  return now_;
+}
+
+/// Another session has an odometry frame of its own; the base has gone on from where it was.
+void Localizer::beginSession(const InformedScan& informed) {
+  const bool was_known = has_scans_ && now_.state != LocalizationState::searching;
+  const Pose T_map_base = now_.T_map_odom * T_odom_base_;
+  recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length);
+  window_ = PoseWindow(config_.backend);
+  hypotheses_.clear();
+  covariance_ = PoseCovariance();
+  fixed_at_ = searched_at_ = 0.0;
+  has_scans_ = true;
+  T_odom_base_ = informed.scan->T_odom_base;
+  if (was_known) {
+    now_.state = LocalizationState::lost;
+    now_.T_map_odom = T_map_base * T_odom_base_.inverse();
+  }
+}
+
+bool Localizer::isDue(double& last, double interval) const {
+  if (recent_.travelled() - last < interval) return false;
+  last = recent_.travelled();
+  return true;
+}
+
+void Localizer::attempt() {
+  const LocalizationConfig& config = config_.localization;
+  // Whoever has given a pose waits for it.
+  if (!isDue(attempted_at_, start_ ? 0.2 * config.interval : config.interval)) return;
+  recent_.cut();
+  if (start_ && tryStart()) return;
+  if (now_.state == LocalizationState::localized || now_.state == LocalizationState::lost) track();
+  if (now_.state == LocalizationState::localized) {
+    if (recent_.travelled() - fixed_at_ <= config.lost_after) return;
+    now_.state = LocalizationState::lost;
+  }
+  if (isDue(searched_at_, config.search_interval)) searchPlaces();
+}
+
+SubmapPtr Localizer::openSubmap() const {
+  return std::make_shared<const Submap>(recent_.submap(config_.localization.open_length));
+}
+
+void Localizer::note(const MapMatch& match) {
+  now_.attempted = true;
+  now_.target = match.target;
+  now_.overlap = match.overlap;
+  now_.coherence = match.coherence;
+  now_.reason = match.reason;
+}
+
+/// One registration is enough: somebody vouches for the place.
+bool Localizer::tryStart() {
+  const MapMatch match = matcher_.relocate(openSubmap(), *start_ * T_odom_base_);
+  note(match);
+  if (match.accepted) believe(match);
+  return match.accepted;
+}
+
+/// Where the odometry has gone far without the map, its pose has to be confirmed like any other
+/// place.
+void Localizer::track() {
+  const SubmapPtr open = openSubmap();
+  const Pose T_map_base = now_.T_map_odom * T_odom_base_;
+  if (now_.state == LocalizationState::lost) {
+    tryPlace(open, T_map_base);
+    return;
+  }
+  const MapMatch match = matcher_.track(open, T_map_base, recent_.travelled() - fixed_at_);
+  note(match);
+  if (match.accepted) believe(match);
+}
+
+void Localizer::searchPlaces() {
+  const SubmapPtr open = openSubmap();
+  const LocalMap local = recent_.localMap(config_.localization.search_length);
+  for (const Pose& T_map_base : places_.search(local)) {
+    tryPlace(open, T_map_base);
+    if (now_.state == LocalizationState::localized) return;
+  }
+}
+
+void Localizer::tryPlace(const SubmapPtr& open, const Pose& T_map_base) {
+  const MapMatch match = matcher_.relocate(open, T_map_base);
+  note(match);
+  if (!match.accepted) return;
+  const Pose T_map_odom = match.T_map_open * T_odom_base_.inverse();
+  if (agreesWithAny(T_map_odom)) return believe(match);
+  hypotheses_.push_back({T_map_odom, recent_.travelled()});
+  if (now_.state == LocalizationState::searching) now_.state = LocalizationState::candidate;
+  if (now_.state == LocalizationState::candidate && !start_) now_.T_map_odom = T_map_odom;
+}
+
+bool Localizer::agreesWithAny(const Pose& T_map_odom) const {
+  return std::any_of(hypotheses_.begin(), hypotheses_.end(),
+                     [&](const Hypothesis& hypothesis) { return agrees(hypothesis, T_map_odom); });
+}
+
+/// Whether the odometry carries the hypothesis there, as far as it can be trusted.
+bool Localizer::agrees(const Hypothesis& hypothesis, const Pose& T_map_odom) const {
+  const double apart = recent_.travelled() - hypothesis.travelled;
+  if (apart < config_.localization.interval || apart > config_.localization.search_length)
+    return false;
+  const PairwiseConsistencyConfig& consistency = config_.loops.closer.consistency;
+  const Pose difference =
+      (hypothesis.T_map_odom * T_odom_base_).inverse() * (T_map_odom * T_odom_base_);
+  return difference.translation.norm() <=
+             consistency.translation + consistency.translation_drift * apart &&
+         difference.angle() * 180.0 / M_PI <=
+             consistency.rotation + consistency.rotation_drift * apart;
+}
+
+void Localizer::believe(const MapMatch& match) {
+  if (now_.state != LocalizationState::localized) window_.clearFixes();
+  window_.fix(match.T_map_open, match.information);
+  const std::optional<Pose> solved = window_.solve();
+  now_.T_map_odom = solved ? *solved : match.T_map_open * T_odom_base_.inverse();
+  now_.state = LocalizationState::localized;
+  InformationEstimate estimate;
+  estimate.information = match.information;
+  estimate.mean_squared_residual = match.mean_squared_residual;
+  covariance_ = PoseCovariance(MotionCovariance(config_.information).of(estimate));
+  fixed_at_ = recent_.travelled();
+  start_.reset();
+  hypotheses_.clear();
+}
+
+}  // namespace revisit_slam

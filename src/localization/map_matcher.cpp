@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/localization/map_matcher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace revisit_slam {
+namespace {
+
+/// Travelled distances of different drives do not compare.
+LoopCloserConfig acrossDrives(LoopCloserConfig config, double min_overlap) {
+  config.min_fitness = min_overlap;
+  config.association.min_travelled = -std::numeric_limits<double>::infinity();
+  return config;
+}
+
+/// A guess within decimetres needs no coarse levels, which take most of the time.
+LoopCloserConfig withoutCoarseLevels(LoopCloserConfig config) {
+  FineRegistrationConfig& registration = config.registration;
+  registration.coarsest_distance =
+      std::min(registration.coarsest_distance, 2.0 * registration.finest_distance);
+  return config;
+}
+
+/// From one pose to another.
+struct Moved {
+  Moved(const Pose& from, const Pose& to) {
+    const Pose T_from_to = from.inverse() * to;
+    metres = T_from_to.translation.norm();
+    degrees = T_from_to.angle() * 180.0 / M_PI;
+  }
+
+  bool isWithin(double most_metres, double most_degrees) const {
+    return metres <= most_metres && degrees <= most_degrees;
+  }
+
+  double metres, degrees;
+};
+
+void reject(const std::string& reason, MapMatch& match) {
+  match.accepted = false;
+  match.reason = reason;
+}
+
+}  // namespace
+
+MapMatcher::MapMatcher(PriorMapPtr map, LoopCloserConfig closer,
+                       const InformationConfig& information, double min_overlap)
+    : map_(std::move(map)),
+      config_(acrossDrives(std::move(closer), min_overlap)),
+      coarse_to_fine_(config_, information),
+      fine_(withoutCoarseLevels(config_), information) {}
+
+std::vector<PlacedSubmap> MapMatcher::near(const Eigen::Vector3d& position) const {
+  std::vector<PlacedSubmap> near;
+  for (const PlacedSubmap& placed : map_->submaps) {
+    const Eigen::Vector3d p = placed.T_common_submap.inverse() * position;
+    const auto& way = placed.submap->T_submap_scan;
+    if (std::any_of(way.begin(), way.end(), [&](const Pose& T_submap_scan) {
+          return (T_submap_scan.translation - p).norm() <= config_.association.max_gap;
+        }))
+      near.push_back(placed);
+  }
+  return near;
+}
+
+MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
+                           const Pose& T_map_open) const {
+  MapMatch match;
+  const std::vector<LoopProposal> proposals =
+      closer.close({{open, T_map_open}}, near(T_map_open.translation), LoopOrigin::appearance);
+  if (proposals.empty()) {
+    match.reason = "off the map";
+    return match;
+  }
+  const LoopProposal& proposal = proposals.front();
+  const FineRegistrationResult& registration = proposal.registered.registration;
+  match.accepted = proposal.verdict.isAccepted();
+  match.reason = proposal.verdict.reason();
+  match.target = proposal.loop.target;
+  match.registered = registration.outcome != FineRegistrationOutcome::too_few_correspondences;
+  match.T_map_open = proposal.registered.T_common_target * registration.T_target_source;
+  match.information = proposal.loop.constraint.information;
+  match.mean_squared_residual = registration.rms * registration.rms;
+  match.overlap = registration.fitness;
+  match.coherence = registration.coherence;
+  return match;
+}
+
+MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double travelled) const {
+  MapMatch match = this->match(fine_, open, T_map_open);
+  const PairwiseConsistencyConfig& limits = config_.consistency;
+  const Moved moved(T_map_open, match.T_map_open);
+  if (match.accepted && !moved.isWithin(limits.translation + limits.translation_drift * travelled,
+                                        limits.rotation + limits.rotation_drift * travelled))
+    reject("the registration contradicts the odometry", match);
+  return match;
+}
+
+MapMatch MapMatcher::relocate(const SubmapPtr& open, const Pose& T_map_open) const {
+  const MapMatch first = match(coarse_to_fine_, open, T_map_open);
+  if (!first.registered) return first;
+  MapMatch match = track(open, first.T_map_open, 0.0);
+  if (match.accepted &&
+      !Moved(T_map_open, match.T_map_open).isWithin(config_.max_translation, config_.max_rotation))
+    reject("the registration left the guess", match);
+  return match;
+}
+
+}  // namespace revisit_slam

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/localization/localizer.h"
+
+#include <gtest/gtest.h>
+
+#include "street_map.h"
+
+namespace revisit_slam {
+namespace {
+
+class LocalizerTest : public testing::Test {
+ protected:
+  LocalizerTest() {
+    config_.localization.interval = 5.0;
+    config_.localization.open_length = 15.0;
+  }
+
+  /// Along the street from x = 10 on.
+  static std::vector<Pose> way(double end) { return drive(10, end, 1.0); }
+  static Pose start(double off) { return T_map_street() * poseAt(10 + off, 1.0, 0.1 * off); }
+  static double errorAt(const Localization& now, const Pose& T_street_base) {
+    return (now.T_map_base.translation - (T_map_street() * T_street_base).translation).norm();
+  }
+
+  LocalizerConfig config_;
+};
+
+TEST_F(LocalizerTest, FromAPoseThatWasDrawnItKnowsAtOnceAndFollows) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(1.0));
+  const std::vector<Pose> way = this->way(50);
+  const std::vector<InformedScan> scans = scansAlong(way);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const Localization now = localizer.add(scans[i]);
+    EXPECT_TRUE(now.attempted);
+    EXPECT_EQ(now.state, LocalizationState::localized) << i << " " << now.reason;
+    EXPECT_LT(errorAt(now, way[i]), 0.1) << i;
+    EXPECT_GT(now.covariance(0, 0), 0.0);
+  }
+}
+
+TEST_F(LocalizerTest, TheStartMayBeAParameter) {
+  config_.localization.start = "110.5 1 0";
+  Localizer localizer(config_, streetMap());
+  const Localization now = localizer.add(scansAlong(way(15)).front());
+  EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
+  config_.localization.start = "somewhere";
+  EXPECT_THROW(Localizer(config_, streetMap()), ParameterError);
+}
+
+TEST_F(LocalizerTest, WithoutStartAndPlacesItSearches) {
+  Localizer localizer(config_, streetMap());
+  for (const InformedScan& scan : scansAlong(way(50)))
+    EXPECT_EQ(localizer.add(scan).state, LocalizationState::searching);
+}
+
+TEST_F(LocalizerTest, AfterAWayThroughTheUnknownItIsLostAndFoundAgain) {
+  config_.localization.lost_after = 20.0;
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  const std::vector<Pose> there = way(40), back = drive(45, 65, 1.0);
+  std::vector<Pose> way = there;
+  for (double x = 1000.0; x < 1040.0; x += 5.0) way.push_back(poseAt(x, 0));  // nothing to be seen
+  way.insert(way.end(), back.begin(), back.end());
+  std::vector<InformedScan> scans = scansAlong(way);
+  std::vector<LocalizationState> states;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const Localization now = localizer.add(scans[i]);
+    states.push_back(now.state);
+    if (now.state == LocalizationState::localized && i + 1 == scans.size()) {
+      EXPECT_LT(errorAt(now, way[i]), 0.1);
+    }
+  }
+  EXPECT_EQ(states[there.size() - 1], LocalizationState::localized);
+  EXPECT_EQ(states[there.size() + 7], LocalizationState::lost);
+  EXPECT_EQ(states.back(), LocalizationState::localized);
+}
+
+}  // namespace
+}  // namespace revisit_slam

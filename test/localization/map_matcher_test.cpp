@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/localization/map_matcher.h"
+
+#include <gtest/gtest.h>
+
+#include "revisit_slam/localization/localization_config.h"
+#include "street_map.h"
+
+namespace revisit_slam {
+namespace {
+
+class MapMatcherTest : public testing::Test {
+ protected:
+  MapMatcherTest() : matcher_(streetMap(), {}, {}, LocalizationConfig().min_overlap) {
+    SyntheticStreet street(5, 2);
+    open_ = std::make_shared<const Submap>(submapOf(street, drive(15, 35)));
+  }
+
+  Pose truth() const { return T_map_street() * open_->T_odom_submap; }
+  static Pose off(const Pose& T, double metres, double degrees) {
+    return T * Pose{expSO3({0, 0, degrees * M_PI / 180.0}), {metres, 0.0, 0.0}};
+  }
+
+  MapMatcher matcher_;
+  SubmapPtr open_;
+};
+
+TEST_F(MapMatcherTest, FindsTheLastMetresInTheMap) {
+  const MapMatch match = matcher_.track(open_, off(truth(), 0.1, 0.5), 5.0);
+  ASSERT_TRUE(match.accepted) << match.reason;
+  EXPECT_LT((match.T_map_open.translation - truth().translation).norm(), 0.03);
+  EXPECT_GT(match.overlap, 0.3);
+  EXPECT_GT(match.information(0, 0), 1.0);
+}
+
+TEST_F(MapMatcherTest, AGuessThatIsFarOffHasToBeConfirmed) {
+  const Pose guess = off(truth(), 1.5, 8.0);
+  EXPECT_FALSE(matcher_.track(open_, guess, 5.0).accepted);
+  const MapMatch match = matcher_.relocate(open_, guess);
+  ASSERT_TRUE(match.accepted) << match.reason;
+  EXPECT_LT((match.T_map_open.translation - truth().translation).norm(), 0.03);
+}
+
+TEST_F(MapMatcherTest, AnotherStreetIsNotTheMap) {
+  SyntheticStreet other(6, 2);
+  const auto open = std::make_shared<const Submap>(submapOf(other, drive(15, 35)));
+  EXPECT_FALSE(matcher_.relocate(open, truth()).accepted);
+}
+
+TEST_F(MapMatcherTest, FarFromTheWayThereIsNoMap) {
+  EXPECT_EQ(matcher_.track(open_, off(truth(), 1000.0, 0.0), 5.0).reason, "off the map");
+}
+
+}  // namespace
+}  // namespace revisit_slam
