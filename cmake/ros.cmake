@@ -3,8 +3,9 @@ find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet pluginlib rosbag roscpp
   sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
+add_message_files(FILES LocalizationStatus.msg)
 add_service_files(FILES SaveMap.srv DisableLoop.srv)
-generate_messages()
+generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg cfg/LiveInformation.cfg
   cfg/LiveRecognition.cfg cfg/LiveLoops.cfg cfg/LiveRetroactive.cfg cfg/LiveBackEnd.cfg)
 

@@ -15,10 +15,20 @@ MapBroadcaster::MapBroadcaster(const FramesConfig& frames, const LiveConfig& liv
 
 void MapBroadcaster::onScan(const RegisteredScan& scan) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  takeLocked(scan, scan.id.session == session_ ? T_map_odom_ : Pose::identity());
+}
+
+void MapBroadcaster::place(const RegisteredScan& scan, const Pose& T_map_odom) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  takeLocked(scan, T_map_odom);
+}
+
+void MapBroadcaster::takeLocked(const RegisteredScan& scan, const Pose& T_map_odom) {
   const bool anew = scan.id.session != session_;
-  if (anew) T_map_odom_ = Pose::identity();
+  const bool moves = anew || T_map_odom.translation != T_map_odom_.translation;
   if (anew) last_broadcast_ = {};
   session_ = scan.id.session;
+  T_map_odom_ = T_map_odom;
   newest_scan_ = scan.stamp;
   newest_arrival_ = ros::Time::now();
   if (robot_odometry_) {
@@ -26,7 +36,7 @@ void MapBroadcaster::onScan(const RegisteredScan& scan) {
     robot_odometry_->onScan(scan.stamp, scan.T_odom_base,
                             frames_.base.empty() ? scan.sensor_frame : frames_.base);
   }
-  if (anew) broadcastLocked(true);
+  if (moves) broadcastLocked(true);
 }
 
 void MapBroadcaster::correct(SessionId session, const Pose& T_map_odom) {

@@ -27,12 +27,15 @@ class MapBroadcaster {
 
   /// A scan has come. One of another session puts the odometry frame back to the map's origin.
   void onScan(const RegisteredScan& scan);
+  /// The same, where it is known with the scan where the odometry frame is.
+  void place(const RegisteredScan& scan, const Pose& T_map_odom);
   /// Broadcasts a correction at once, unless it is of another session.
   void correct(SessionId session, const Pose& T_map_odom);
   /// Nothing before the first scan, nor twice for the same time.
   void broadcast();
 
  private:
+  void takeLocked(const RegisteredScan& scan, const Pose& T_map_odom);
   void broadcastLocked(bool at_once);
 
   const FramesConfig frames_;

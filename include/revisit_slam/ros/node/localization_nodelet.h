@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+
+#include <memory>
+#include <mutex>
+
+#include "revisit_slam/ros/node/map_broadcaster.h"
+#include "revisit_slam/ros/node/slam_nodelet.h"
+#include "revisit_slam/slam/localization_stage.h"
+
+namespace revisit_slam {
+
+/// Hosts localization in the map of an earlier session, in the place of map manager and back-end.
+/// Broadcasts map to odom as soon as it is known.
+class LocalizationNodelet : public SlamNodelet {
+ public:
+  LocalizationNodelet() : SlamNodelet("localization") {}
+  ~LocalizationNodelet() override;
+
+ private:
+  void start() override;
+  void advertise(ros::NodeHandle& node);
+  void subscribe(ros::NodeHandle& node);
+  void diagnose(diagnostic_msgs::DiagnosticStatus& status) override;
+
+  // In the lane.
+  void add(const InformedScan& informed);
+  void publish(const Localization& now);
+  void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
+  void drawMap() const;
+  void drawTarget(SubmapId target) const;
+
+  std::unique_ptr<LocalizationStage> stage_;  // of the lane
+  std::unique_ptr<MapBroadcaster> broadcaster_;
+
+  std::mutex mutex_;  // guards the next one
+  Localization last_;
+
+  std::unique_ptr<ThreadLane> lane_;
+  ros::Publisher status_publisher_, pose_publisher_, map_publisher_, target_publisher_;
+  ros::Subscriber scan_subscriber_, start_subscriber_;
+  ros::WallTimer transform_timer_;
+};
+
+}  // namespace revisit_slam

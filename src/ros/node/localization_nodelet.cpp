@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/localization_nodelet.h"
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <stdexcept>
+
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/localization_messages.h"
+#include "revisit_slam/ros/messages/scan_messages.h"
+#include "revisit_slam/ros/node/stage_topics.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kMaxPoints = 2'000'000;
+
+}  // namespace
+
+LocalizationNodelet::~LocalizationNodelet() {
+  stopDiagnostics();
+  transform_timer_.stop();
+  scan_subscriber_.shutdown();
+  start_subscriber_.shutdown();
+  map_publisher_.shutdown();
+  if (lane_) lane_->stop();
+}
+
+void LocalizationNodelet::start() {
+  std::vector<std::string> notices;
+  try {
+    stage_ = std::make_unique<LocalizationStage>(config_, notices);
+  } catch (const std::runtime_error& error) {
+    throw ParameterError("localization/map = '" + config_.localization.map + "': " + error.what());
+  }
+  for (const std::string& notice : notices) NODELET_WARN("%s", notice.c_str());
+  NODELET_INFO("localizing in '%s': %zu submaps, %zu places", config_.localization.map.c_str(),
+               stage_->map().submaps.size(), stage_->map().places.size());
+  broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
+  lane_ = makeLane(config_.background.niceness);
+  ros::NodeHandle& node = getNodeHandle();
+  transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
+                                          [this](const auto&) { broadcaster_->broadcast(); });
+  advertise(node);
+  subscribe(node);
+}
+
+void LocalizationNodelet::advertise(ros::NodeHandle& node) {
+  const bool latch = true;
+  const ros::SubscriberStatusCallback connected = [this](const ros::SingleSubscriberPublisher&) {
+    lane_->post([this] { drawMap(); });
+  };
+  const ros::SubscriberStatusCallback none;
+  using Cloud = sensor_msgs::PointCloud2;
+  status_publisher_ = node.advertise<LocalizationStatus>("localization", 10, latch);
+  pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("localized_pose", 100);
+  target_publisher_ = node.advertise<Cloud>("matched_submap", 1, latch);
+  map_publisher_ =
+      node.advertise<Cloud>("prior_map", 1, connected, none, ros::VoidConstPtr(), latch);
+}
+
+void LocalizationNodelet::subscribe(ros::NodeHandle& node) {
+  const uint32_t depth = 0;  // no limit: none may be lost
+  scan_subscriber_ = node.subscribe<InformedScan>(
+      "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
+        lane_->post([this, informed] { add(*informed); });
+      });
+  using Drawn = geometry_msgs::PoseWithCovarianceStamped;
+  start_subscriber_ = node.subscribe<Drawn>(
+      "/initialpose", 10,
+      [this](const Drawn::ConstPtr& drawn) { lane_->post([this, drawn] { startAt(*drawn); }); });
+}
+
+void LocalizationNodelet::add(const InformedScan& informed) {
+  const Localization now = stage_->add(informed);
+  const bool is_known = now.state != LocalizationState::searching;
+  if (is_known) broadcaster_->place(*informed.scan, now.T_map_odom);
+  publish(now);
+}
+
+void LocalizationNodelet::publish(const Localization& now) {
+  LocalizationState before;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    before = std::exchange(last_, now).state;
+  }
+  const std::string& frame = config_.frames.map;
+  if (now.state != before)
+    NODELET_INFO("%s%s%s", toString(now.state), now.reason.empty() ? "" : ": ", now.reason.c_str());
+  if (now.attempted || now.state != before) status_publisher_.publish(toStatus(now, frame));
+  if (now.state == LocalizationState::localized || now.state == LocalizationState::lost)
+    pose_publisher_.publish(toPoseWithCovariance(now, frame));
+  if (now.attempted) drawTarget(now.target);
+}
+
+void LocalizationNodelet::startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn) {
+  if (const auto start = toStart(drawn, config_.frames.map, stage_->map())) {
+    stage_->startAt(*start);
+  } else {
+    NODELET_WARN("a pose was drawn in the frame '%s', which is not '%s': it is left out",
+                 drawn.header.frame_id.c_str(), config_.frames.map.c_str());
+  }
+}
+
+void LocalizationNodelet::drawMap() const {
+  std::vector<CloudPart> parts;
+  for (const PlacedSubmap& placed : stage_->map().submaps)
+    parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.5, 0.5, 0.5)});
+  map_publisher_.publish(toColouredCloud(parts, config_.frames.map, kMaxPoints));
+}
+
+void LocalizationNodelet::drawTarget(SubmapId target) const {
+  if (target_publisher_.getNumSubscribers() == 0) return;
+  std::vector<CloudPart> parts;
+  for (const PlacedSubmap& placed : stage_->map().submaps)
+    if (placed.submap->id == target)
+      parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.2, 0.8, 0.3)});
+  target_publisher_.publish(toColouredCloud(parts, config_.frames.map, kMaxPoints));
+}
+
+void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status.level = last_.state == LocalizationState::localized ? status.OK
+                 : last_.state == LocalizationState::lost    ? status.ERROR
+                                                             : status.WARN;
+  status.message = toString(last_.state);
+  if (!last_.reason.empty()) status.message += ": " + last_.reason;
+  addValue("travelled since the last fix (m)", std::to_string(last_.since_fix), status);
+  addValue("overlap", std::to_string(last_.overlap), status);
+  addValue("coherence", std::to_string(last_.coherence), status);
+  addValue("matched submap", std::to_string(last_.target.value), status);
+  addValue("scans waiting", std::to_string(lane_->waiting()), status);
+}
+
+}  // namespace revisit_slam
