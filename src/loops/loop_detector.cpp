@@ -2,6 +2,7 @@
 #include "revisit_slam/loops/loop_detector.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace revisit_slam {
@@ -24,6 +25,7 @@ LoopCloserConfig closerConfig(const LoopsConfig& loops, const RetroactiveConfig&
 LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
                            const InformationConfig& information)
     : enabled_(loops.enabled),
+      drift_(loops.closer.drift),
       max_pairs_(retroactive.max_pairs),
       search_at_end_(retroactive.search_at_end),
       recognition_(loops.recognition),
@@ -32,6 +34,7 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
       retroactive_(searchConfig(loops, retroactive)) {}
 
 void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
+  drift_ = loops.closer.drift;
   max_pairs_ = retroactive.max_pairs;
   recognition_.reconfigure(loops.recognition);
   appearance_closer_.reconfigure(loops.closer);
@@ -70,16 +73,32 @@ std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source
                                                           const PlaceMatch& match) const {
   const LocalMap& target = *maps_.at(match.target.value);
   const AssociationConfig& association = appearance_closer_.association();
-  if (!association.usesOptimisedTrajectories())
-    return appearance_closer_.close(source, target, match.T_target_source, LoopOrigin::appearance);
   const std::vector<Pose> T_map_scan = placeScans();
+  const PriorOf priors = priorsOf(T_map_scan);
+  if (!association.usesOptimisedTrajectories())
+    return appearance_closer_.close(source, target, match.T_target_source, LoopOrigin::appearance,
+                                    priors);
   const auto placed = [&](const LocalMap& map, const Pose& T_common_local) {
     const Pose& T_map_local = T_map_scan[map.submaps.front()->first_scan.value];
     return moved(placeByGraph(map, T_map_scan, association),
                  T_common_local * T_map_local.inverse());
   };
   return appearance_closer_.close(placed(source, match.T_target_source),
-                                  placed(target, Pose::identity()), LoopOrigin::appearance);
+                                  placed(target, Pose::identity()), LoopOrigin::appearance, priors);
+}
+
+/// Where the graph has the submaps, and how far it may be off.
+PriorOf LoopDetector::priorsOf(const std::vector<Pose>& T_map_scan) const {
+  std::vector<SubmapPtr> submaps;
+  for (const LocalMapPtr& map : maps_)
+    submaps.insert(submaps.end(), map->submaps.begin(), map->submaps.end());
+  const auto drift = std::make_shared<const GraphDrift>(
+      std::move(submaps), correction_ ? correction_->loops : std::vector<LoopEdge>{}, drift_);
+  return [drift, &T_map_scan](const Submap& source, const Submap& target) {
+    return LoopPrior{
+        T_map_scan[target.first_scan.value].inverse() * T_map_scan[source.first_scan.value],
+        drift->from(source.id)[target.id.value]};
+  };
 }
 
 LoopSearchResult LoopDetector::searchRetroactively() {
@@ -132,12 +151,13 @@ std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candida
   const auto placed = [&](LocalMapId id) {
     return placeByGraph(*maps_[id.value], T_map_scan, retroactive_closer_.association());
   };
+  const PriorOf priors = priorsOf(T_map_scan);
   std::size_t done = 0;
   for (; done < candidates.size() && static_cast<int>(result.proposals.size()) < max_pairs_;
        ++done) {
     const auto& [source, target] = candidates[done].maps;
     const std::vector<LoopProposal> proposals =
-        retroactive_closer_.close(placed(source), placed(target), LoopOrigin::retroactive);
+        retroactive_closer_.close(placed(source), placed(target), LoopOrigin::retroactive, priors);
     result.proposals.insert(result.proposals.end(), proposals.begin(), proposals.end());
   }
   return done;

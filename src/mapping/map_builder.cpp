@@ -12,10 +12,11 @@ MapBuilder::MapBuilder(const MappingConfig& mapping, const OccupancyConfig& occu
       detail_(mapping.detail_voxel_size),
       occupancy_(occupancy) {}
 
-MapUpdate MapBuilder::insert(const RegisteredScan& scan) {
+MapUpdate MapBuilder::insert(const RegisteredScan& scan, const SubmapStart& start) {
   MapUpdate update;
   arena_.execute([&] {
-    update = take(hierarchy_.insert(scan.id, scan.stamp, scan.T_odom_base, scan.points_base));
+    update =
+        take(hierarchy_.insert(scan.id, scan.stamp, scan.T_odom_base, scan.points_base, start));
   });
   if (!open_) T_odom_submap_ = scan.T_odom_base;
   open_ = true;

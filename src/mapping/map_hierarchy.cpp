@@ -7,20 +7,24 @@
 namespace revisit_slam {
 
 ClosedMaps MapHierarchy::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
-                                const Points& points_base) {
+                                const Points& points_base, const SubmapStart& start) {
   next_submap_.session = open_.id.session = id.session;
   ClosedMaps closed;
   if (!builder_.empty()) {
-    if (travel_.exceeds(config_.local_map, T_odom_base)) {
+    if (travel_.exceeds(config_.local_map.scaled(size_), T_odom_base)) {
       closed = closeAll();
-    } else if (builder_.travel().exceeds(config_.submap, T_odom_base)) {
+    } else if (builder_.travel().exceeds(config_.submap.scaled(builder_.size()), T_odom_base)) {
       closed.submap = closeSubmap();
     }
   }
   const bool begins_local_map = builder_.empty() && open_.submaps.empty();
-  if (begins_local_map) travel_.start(T_odom_base);
+  if (begins_local_map) {
+    travel_.start(T_odom_base);
+    size_ = start.size;
+    scale_ = start.scale;
+  }
   travel_.go(T_odom_base);
-  builder_.insert(id, stamp, T_odom_base, points_base);
+  builder_.insert(id, stamp, T_odom_base, points_base, start);
   return closed;
 }
 
@@ -40,7 +44,7 @@ SubmapPtr MapHierarchy::closeSubmap() {
 
 LocalMapPtr MapHierarchy::closeLocalMap() {
   const LocalMapId next{open_.id.value + 1, open_.id.session};
-  open_.points = unionOfPoints(open_.submaps, config_.local_map_voxel_size);
+  open_.points = unionOfPoints(open_.submaps, scale_ * config_.local_map_voxel_size);
   auto local_map = std::make_shared<const LocalMap>(std::exchange(open_, LocalMap{next, {}, {}}));
   return local_map;
 }

@@ -57,7 +57,7 @@ class MapManagerNodelet : public SlamNodelet {
     if (config_.mapping.enabled)
       scan_subscriber_ = node.subscribe<InformedScan>(
           "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
-            stage_->insert(informed->scan);
+            stage_->insert(*informed);
           });
     maps_publisher_ = node.advertise<MapUpdate>("submap", 100);  // says that scans may come
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/map_manager.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace revisit_slam {
@@ -14,7 +16,16 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
   thinned->stamp = scan.stamp;
   thinned->T_odom_base = scan.T_odom_base;
   thinned->sensor_base = scan.sensor_base;
+  thinned->voxel_size = scan.voxel_size;
   return thinned;
+}
+
+/// Maps of half the size, as in garages, keep their voxels: with 16 beams finer ones are sparse.
+constexpr double kFineness = 2.0;
+
+/// m, of the motion since the scan before.
+double deviationOf(const InformedScan& informed) {
+  return std::sqrt(informed.covariance_motion.topLeftCorner<3, 3>().trace());
 }
 
 }  // namespace
@@ -22,19 +33,22 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
 MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
     : mapping_(config.mapping),
       occupancy_(config.occupancy),
+      largest_voxel_size_(config.odometry.map.voxel_size),
       building_(building),
       searching_(searching),
       outputs_(std::move(outputs)),
       arena_(config.background.threads),
       config_(config) {}
 
-void MapManager::insert(const RegisteredScanPtr& scan) {
+void MapManager::insert(const InformedScan& informed) {
   const bool is_behind = building_.waiting() > static_cast<std::size_t>(mapping_.max_waiting);
   if (is_behind) ++count_.thinned_scans;
-  building_.post([this, kept = is_behind ? withoutPoints(*scan) : scan] { build(*kept); });
+  building_.post([this, kept = is_behind ? withoutPoints(*informed.scan) : informed.scan,
+                  verdict = informed.verdict,
+                  deviation = deviationOf(informed)] { build(*kept, verdict, deviation); });
 }
 
-void MapManager::build(const RegisteredScan& scan) {
+void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double deviation) {
   const std::uint32_t scans_before = order_.scans();
   switch (order_.take(scan.id)) {
     case ScanOrder::repeated:
@@ -45,6 +59,8 @@ void MapManager::build(const RegisteredScan& scan) {
     case ScanOrder::first:
       if (builder_) closeSession(0, scans_before);
       session_ = scan.id.session;
+      unsure_ = {};
+      position_odom_ = scan.T_odom_base.translation;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
       searching_.post([this, session = session_] {
         newest_ = session;
@@ -54,7 +70,23 @@ void MapManager::build(const RegisteredScan& scan) {
     case ScanOrder::next:
       break;
   }
-  hand(builder_->insert(scan));
+  hand(builder_->insert(scan, startWith(scan, verdict, deviation)));
+}
+
+/// What a submap takes over that begins with this scan.
+SubmapStart MapManager::startWith(const RegisteredScan& scan, PoseVerdict verdict,
+                                  double deviation) {
+  SubmapStart start;
+  if (mapping_.follow_scale && scan.voxel_size > 0.0)
+    start.size = std::min(1.0, scan.voxel_size / largest_voxel_size_);
+  start.scale = std::min(1.0, kFineness * start.size);
+  const double step = (scan.T_odom_base.translation - position_odom_).norm();
+  position_odom_ = scan.T_odom_base.translation;
+  if (verdict >= PoseVerdict::weak) unsure_.weak += step;
+  if (verdict >= PoseVerdict::poor) unsure_.doubt += deviation;
+  start.unsure = unsure_;
+  start.sensor_base = scan.sensor_base;
+  return start;
 }
 
 void MapManager::close(std::uint32_t request) {

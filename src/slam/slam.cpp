@@ -75,7 +75,7 @@ void Slam::insert(const InformedScan& informed) {
   has_scans_ = true;
   // First the node: the maps of the session before may end with this scan.
   executor_.background().post([this, node = nodeOf(informed)] { back_end_.add(node); });
-  maps_.insert(informed.scan);
+  maps_.insert(informed);
 }
 
 void Slam::end(const MapsClosed& closed) {

@@ -114,6 +114,52 @@ TEST(MapHierarchy, ARobotThatStandsKeepsOneSubmap) {
   EXPECT_EQ(closed.submaps[0]->points.size(), 1u);
 }
 
+TEST(MapHierarchy, InNarrowSurroundingsMapsAreSmaller) {
+  MapHierarchy hierarchy{MappingConfig{}};
+  Closed closed;
+  const std::vector<Pose> poses = straight(60);
+  for (unsigned i = 0; i < poses.size(); ++i) {
+    const Points points{{0, 5, 0}, {0.3f, 5, 0}};
+    closed.add(hierarchy.insert({i}, Stamp{i}, poses[i], points, {0.25, 0.25, {}, {}}));
+  }
+  std::vector<unsigned> firsts;
+  for (const SubmapPtr& submap : closed.submaps) {
+    firsts.push_back(submap->first_scan.value);
+    EXPECT_EQ(submap->scale, 0.25);
+  }
+  EXPECT_EQ(firsts, (std::vector<unsigned>{0, 7, 14, 21, 26, 33, 40, 47, 52}));
+  EXPECT_EQ(closed.local_maps.size(), 2u);
+  EXPECT_GE(closed.submaps[0]->points.size(), 14u);  // voxels of 0.125 m keep the two points apart
+}
+
+TEST(MapHierarchy, SubmapsKnowHowUnsureTheOdometryWasAtTheirFirstScan) {
+  MapHierarchy hierarchy{MappingConfig{}};
+  Closed closed;
+  const std::vector<Pose> poses = straight(60);
+  for (unsigned i = 0; i < poses.size(); ++i)
+    closed.add(hierarchy.insert({i}, Stamp{i}, poses[i], {}, {1.0, 1.0, {1.0 * i, 2.0 * i}, {}}));
+  ASSERT_GE(closed.submaps.size(), 2u);
+  EXPECT_EQ(closed.submaps[1]->unsure_begin.weak, 26.0);
+  EXPECT_EQ(closed.submaps[1]->unsure_begin.doubt, 52.0);
+}
+
+TEST(MapHierarchy, NormalsAreOnTheSideThatWasSeen) {
+  MapHierarchy hierarchy{MappingConfig{}};
+  Points slab;  // 1 m above the base, 1 m below the sensor
+  for (float x = -3.0f; x <= 3.0f; x += 0.2f)
+    for (float y = -3.0f; y <= 3.0f; y += 0.2f) slab.emplace_back(x, y, 1.0f);
+  SubmapStart start;
+  start.sensor_base = {0, 0, 2.0};
+  hierarchy.insert({0}, {}, {}, slab, start);
+  const SubmapPtr above = hierarchy.closeAll().submap;
+  hierarchy.insert({1}, {}, {}, slab);
+  const SubmapPtr below = hierarchy.closeAll().submap;
+  for (std::size_t i = 0; i < above->normals.size(); ++i) {
+    EXPECT_GE(above->normals[i].z(), 0.0f);
+    EXPECT_LE(below->normals[i].z(), 0.0f);
+  }
+}
+
 TEST(MapHierarchy, GoesOnAfterClosingOnRequest) {
   MapHierarchy hierarchy{MappingConfig{}};
   hierarchy.insert({0}, {}, {}, {});

@@ -45,13 +45,15 @@ class MapManagerTest : public testing::Test {
     return outputs;
   }
 
-  RegisteredScanPtr scan(std::uint32_t number, double x, SessionId session = kFirst) {
+  InformedScan scan(std::uint32_t number, double x, SessionId session = kFirst) {
     auto scan = std::make_shared<RegisteredScan>();
     scan->id = {number, session};
     scan->stamp = Stamp::fromSeconds(number);
     scan->T_odom_base = poseAt(x, 0);
     scan->points_base = street_.scan(scan->T_odom_base);
-    return scan;
+    InformedScan informed;
+    informed.scan = scan;
+    return informed;
   }
 
   /// `metres` along the street, 5 m a scan.
@@ -83,6 +85,48 @@ TEST_F(MapManagerTest, closesMapsAndSearchesEachOnce) {
   ASSERT_EQ(closed_.size(), 1u);
   EXPECT_EQ(closed_[0].request, 9u);
   EXPECT_EQ(closed_[0].scans, 13u);
+}
+
+TEST_F(MapManagerTest, inRoomsMapsAreSmallerAsTheVoxelsOfTheOdometryAre) {
+  const auto submapsWith = [&](double voxel_size) {
+    maps_.clear();
+    InlineLane building, searching;
+    MapManager manager(config_, building, searching, outputs());
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      InformedScan informed = scan(i, 5.0 * i);
+      auto registered = std::make_shared<RegisteredScan>(*informed.scan);
+      registered->voxel_size = voxel_size;
+      informed.scan = registered;
+      manager.insert(informed);
+    }
+    manager.close(1);
+    return maps_.size();
+  };
+  EXPECT_EQ(submapsWith(1.0), 2u);
+  EXPECT_EQ(submapsWith(0.5), 4u);
+  EXPECT_EQ(maps_.back()->submap->scale, 1.0);
+  EXPECT_GT(submapsWith(0.25), 4u);
+  EXPECT_EQ(maps_.back()->submap->scale, 0.5);
+  config_.mapping.follow_scale = false;
+  EXPECT_EQ(submapsWith(0.25), 2u);
+  EXPECT_EQ(maps_.back()->submap->scale, 1.0);
+}
+
+TEST_F(MapManagerTest, whereScansHardlyHoldThePoseTheDistanceIsUnsure) {
+  InlineLane building, searching;
+  MapManager manager(config_, building, searching, outputs());
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    InformedScan informed = scan(i, 5.0 * i);
+    if (i >= 2 && i < 4) informed.verdict = PoseVerdict::weak;
+    informed.covariance_motion = 12.0 * Matrix6::Identity();
+    if (i == 4) informed.verdict = PoseVerdict::lost;
+    manager.insert(informed);
+  }
+  manager.close(1);
+  ASSERT_GE(maps_.size(), 2u);
+  EXPECT_EQ(maps_[0]->submap->unsure_begin.weak, 0.0);
+  EXPECT_NEAR(maps_[1]->submap->unsure_begin.weak, 15.0, 1e-9);
+  EXPECT_NEAR(maps_[1]->submap->unsure_begin.doubt, 6.0, 1e-9);
 }
 
 TEST_F(MapManagerTest, aNewSessionClosesTheMapsOfTheOneBefore) {
@@ -128,8 +172,8 @@ TEST_F(MapManagerTest, whatWaitsIsBoundedAndNoScanIsMissingInTheTrajectory) {
   MapManager manager(config_, building, searching, outputs());
   std::vector<std::weak_ptr<const RegisteredScan>> held;
   for (std::uint32_t i = 0; i < 10; ++i) {
-    const RegisteredScanPtr whole = scan(i, 2.0 * i);
-    held.push_back(whole);
+    const InformedScan whole = scan(i, 2.0 * i);
+    held.push_back(whole.scan);
     manager.insert(whole);
   }
   std::size_t whole = 0;

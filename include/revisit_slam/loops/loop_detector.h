@@ -53,6 +53,7 @@ class LoopDetector {
 
  private:
   std::vector<Pose> placeScans() const;
+  PriorOf priorsOf(const std::vector<Pose>& T_map_scan) const;
   std::vector<LoopProposal> closeByAppearance(const LocalMap& source,
                                               const PlaceMatch& match) const;
   LoopSearchResult newSearch(LoopOrigin origin) const;
@@ -61,6 +62,7 @@ class LoopDetector {
                     const std::vector<Pose>& T_map_scan, LoopSearchResult& result) const;
 
   bool enabled_;
+  DriftConfig drift_;
   int max_pairs_;
   bool search_at_end_;
   PlaceRecognition recognition_;

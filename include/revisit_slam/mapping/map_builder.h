@@ -29,7 +29,7 @@ class MapBuilder {
  public:
   MapBuilder(const MappingConfig& mapping, const OccupancyConfig& occupancy);
 
-  MapUpdate insert(const RegisteredScan& scan);
+  MapUpdate insert(const RegisteredScan& scan, const SubmapStart& start = {});
   /// Closes what is open, if anything.
   MapUpdate closeAll();
 

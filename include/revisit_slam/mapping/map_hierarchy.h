@@ -13,6 +13,8 @@ struct ClosedMaps {
 };
 
 /// Cuts the drive into submaps, and these into local maps (paper Sec. III-C). Ids count from 0.
+/// Where the surroundings are narrow both are smaller, as their first scan says, and so are their
+/// voxels.
 class MapHierarchy {
  public:
   explicit MapHierarchy(const MappingConfig& config)
@@ -20,7 +22,8 @@ class MapHierarchy {
 
   /// Closes what must end before this scan, then adds the scan to the open submap. Closing runs in
   /// the current TBB arena.
-  ClosedMaps insert(ScanId id, Stamp stamp, const Pose& T_odom_base, const Points& points_base);
+  ClosedMaps insert(ScanId id, Stamp stamp, const Pose& T_odom_base, const Points& points_base,
+                    const SubmapStart& start = {});
 
   /// Closes what is open, if anything: at the end of a drive, or on request. The next scan begins
   /// new maps.
@@ -34,7 +37,8 @@ class MapHierarchy {
   SubmapBuilder builder_;
   SubmapId next_submap_;
   LocalMap open_;
-  Travel travel_;  // since the first scan of the open local map
+  Travel travel_;                    // since the first scan of the open local map
+  double size_ = 1.0, scale_ = 1.0;  // of the open local map
 };
 
 /// Union of the points of the submaps, placed by the odometry: one mean for each voxel, in the

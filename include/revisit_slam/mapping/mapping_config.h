@@ -10,6 +10,9 @@ struct MapSplitConfig {
   double displacement;
   double path_length;
 
+  /// For surroundings that are narrower by this factor.
+  MapSplitConfig scaled(double scale) const { return {scale * displacement, scale * path_length}; }
+
   template <typename Visitor>
   void visit(Visitor& v) {
     v("displacement", displacement, Range{1.0, 10000.0}, "m",
@@ -32,6 +35,7 @@ struct MappingConfig {
   double submap_voxel_size = 0.5;
   double local_map_voxel_size = 0.5;
   double detail_voxel_size = 0.25;
+  bool follow_scale = true;
   double rest_interval = 2.0;
   int max_waiting = 300;
 
@@ -50,6 +54,10 @@ struct MappingConfig {
     v("detail_voxel_size", detail_voxel_size, Range{0.02, 5.0}, "m",
       "edge of a voxel of the point clouds in files, which have one point for each voxel. Raise "
       "it if files are too large; lower it if files should show finer detail");
+    v("follow_scale", follow_scale,
+      "true: where the odometry has taken smaller voxels than configured, as in rooms, submaps and "
+      "local maps are smaller by the same factor, and below half their size so are their voxels; "
+      "false: all have the same size");
     v("rest_interval", rest_interval, Range{0.0, 3600.0}, "s",
       "while the base stands still, time between scans that become part of maps, graph and "
       "trajectory.tum; odometry.tum has them all; 0: every scan. Raise it if a robot is parked for "

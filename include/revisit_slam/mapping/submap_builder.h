@@ -22,22 +22,35 @@ class Travel {
   TravelledDistance distance_;
 };
 
+/// What a submap takes over from its first scan besides the pose.
+struct SubmapStart {
+  double size = 1.0;   ///< of submaps and local maps, as a share of the configured one
+  double scale = 1.0;  ///< of their voxels, likewise
+  UnsureDistance unsure;
+  Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where points are seen from
+};
+
 /// The one submap that is being built (paper Sec. III-C).
 class SubmapBuilder {
  public:
-  explicit SubmapBuilder(double voxel_size) : grid_(voxel_size) {}
+  explicit SubmapBuilder(double voxel_size) : voxel_size_(voxel_size), grid_(voxel_size) {}
 
   bool empty() const { return submap_.T_submap_scan.empty(); }
   const Travel& travel() const { return travel_; }
+  double size() const { return size_; }
 
   /// The first scan gives the keypose; ids follow each other without gaps.
-  void insert(ScanId id, Stamp stamp, const Pose& T_odom_base, const Points& points_base);
+  void insert(ScanId id, Stamp stamp, const Pose& T_odom_base, const Points& points_base,
+              const SubmapStart& start = {});
 
   /// The submap as it is now, with its normals; the builder is empty afterwards. Runs in the
   /// current TBB arena.
   Submap close(SubmapId id, LocalMapId local_map);
 
  private:
+  double voxel_size_;
+  double size_ = 1.0;
+  Eigen::Vector3d sensor_base_ = Eigen::Vector3d::Zero();
   Submap submap_;
   Travel travel_;
   Travel drive_;  // since the origin, through all submaps

@@ -43,7 +43,7 @@ class MapManager {
   /// The first scan of another session closes the maps of the one before. Scans whose predecessors
   /// were missed are of no use. Where more than mapping/max_waiting scans wait, this one gets by
   /// without its points: that bounds the memory, and no scan is missing in a trajectory.
-  void insert(const RegisteredScanPtr& scan);
+  void insert(const InformedScan& informed);
 
   /// Closes the open maps. When they are searched `loops.closed` follows.
   void close(std::uint32_t request);
@@ -59,7 +59,8 @@ class MapManager {
   const MapManagerCount& count() const { return count_; }
 
  private:
-  void build(const RegisteredScan& scan);
+  void build(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
+  SubmapStart startWith(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
   void hand(MapUpdate update);
   void closeSession(std::uint32_t request, std::uint32_t scans);
   void inLane(SessionId session, const std::function<void(LoopClosing&)>& work);
@@ -67,6 +68,7 @@ class MapManager {
 
   const MappingConfig mapping_;
   const OccupancyConfig occupancy_;
+  const double largest_voxel_size_;  // m, of the odometry
   Lane &building_, &searching_;
   const Outputs outputs_;
   MapManagerCount count_;
@@ -75,6 +77,8 @@ class MapManager {
   SessionOrder order_;
   SessionId session_;
   std::unique_ptr<MapBuilder> builder_;  // null before the first scan
+  UnsureDistance unsure_;
+  Eigen::Vector3d position_odom_ = Eigen::Vector3d::Zero();  // of the scan before
 
   // In the lane that searches.
   tbb::task_arena arena_;

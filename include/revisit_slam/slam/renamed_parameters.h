@@ -14,11 +14,9 @@ inline const RenamedParameters kRenamedParameters{
     {"loops/agreement/rotation_drift", "loops/consistency/rotation_drift"},
     {"loops/agreement/translation", "loops/consistency/translation"},
     {"loops/agreement/translation_drift", "loops/consistency/translation_drift"},
-    {"loops/association/min_way", "loops/association/min_travelled"},
     {"odometry/registration/finest_sigma", "odometry/registration/final_sigma"},
     {"odometry/registration/held_weight", "odometry/registration/deskew_damping"},
     {"odometry/registration/own_motion", "odometry/registration/deskew_gain"},
-    {"retroactive/association/min_way", "retroactive/association/min_travelled"},
     {"retroactive/odometry_reach", "retroactive/low_drift_window"},
 };
 

@@ -11,6 +11,13 @@
 
 namespace revisit_slam {
 
+/// What the drift of the odometry depends on besides the travelled distance, since the session
+/// began.
+struct UnsureDistance {
+  double weak = 0.0;   ///< m, travelled while scans hardly held the pose in some direction
+  double doubt = 0.0;  ///< m, standard deviations of the motions of poor and lost scans, summed
+};
+
 /// A stretch of about 25 m (paper Sec. III-C: S_k), closed and immutable. Its frame is the base
 /// frame at its first scan, the keypose. Where that frame lies in the map is known to the graph
 /// alone.
@@ -20,14 +27,17 @@ struct Submap {
   ScanId first_scan;
   /// Travelled distance of the odometry at the first and at the last scan, m.
   double travelled_begin = 0.0, travelled_end = 0.0;
+  UnsureDistance unsure_begin;  ///< at the first scan
+  /// Of its voxels and what it is registered with, as a share of the configured: below 1 in rooms.
+  double scale = 1.0;
   /// Keypose as the odometry had it.
   Pose T_odom_submap;
   /// Gamma_k: one pose for each scan from first_scan on, without gaps; the first is the identity.
   std::vector<Pose> T_submap_scan;
   std::vector<Stamp> stamps;
-  /// One point (the mean) for each occupied voxel of edge nu_sub, in the submap frame.
+  /// One point (the mean) for each occupied voxel of edge scale * nu_sub, in the submap frame.
   Points points;
-  /// Unit normals of the points, zero where the neighbourhood has none.
+  /// Unit normals of the points, on the side that was seen; zero where the neighbourhood has none.
   Points normals;
 
   ScanId lastScan() const {

@@ -93,6 +93,10 @@ json constraintJson(const JudgedConstraint& c) {
           {"inliers", registration.inliers},
           {"iterations", registration.iterations},
           {"hausdorff", p.hausdorff},
+          {"overlap", p.overlap},
+          {"drift", p.registered.prior.drift},
+          {"deviation", p.registered.deviation(DriftConfig())},
+          {"ambiguity", p.registered.ambiguity(LoopCloserConfig().max_translation)},
           {"moved",
            {{"translation", p.registered.movedTranslation()},
             {"rotation", p.registered.movedRotation()}}}};

@@ -10,12 +10,15 @@ namespace {
 
 /// What is asked of every registration.
 AcceptancePolicy commonGates(const LoopCloserConfig& config) {
-  return {correspondencesGate(config.registration.min_correspondences),
-          convergenceGate(),
-          fitnessGate(config.min_fitness),
-          coherenceGate(config.min_coherence),
-          translationGate(config.max_translation),
-          rotationGate(config.max_rotation)};
+  AcceptancePolicy policy{correspondencesGate(config.registration.min_correspondences),
+                          convergenceGate(),
+                          fitnessGate(config.min_fitness),
+                          coherenceGate(config.min_coherence),
+                          translationGate(config.max_translation),
+                          rotationGate(config.max_rotation)};
+  if (config.drift.max_deviation > 0.0) policy.push_back(driftGate(config.drift));
+  policy.push_back(ambiguityGate(config.max_ambiguity, config.max_translation));
+  return policy;
 }
 
 /// What the paper asks for (Sec. III-C), of a registration that has a result.

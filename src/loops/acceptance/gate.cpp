@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/acceptance/gate.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
+
+#include "revisit_slam/loops/acceptance/ambiguity.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
+/// Rivals of a registration lie within so many standard deviations of the prior.
+constexpr double kDeviations = 3.0;
 
 Pose movedBy(const RegisteredPair& pair) {
   const Pose guess = pair.T_common_target.inverse() * pair.T_common_source;
@@ -41,6 +46,16 @@ double RegisteredPair::movedTranslation() const {
 
 double RegisteredPair::movedRotation() const {
   return movedBy(*this).angle() * kDegrees;
+}
+
+double RegisteredPair::deviation(const DriftConfig& config) const {
+  return prior.deviation(registration.T_target_source, config);
+}
+
+double RegisteredPair::ambiguity(double radius) const {
+  if (!source || !target) return 0.0;
+  return rivalShare(*source, *target, registration.T_target_source,
+                    std::min(radius, kDeviations * prior.drift));
 }
 
 bool GateMeasurement::isWithin() const {

@@ -25,6 +25,24 @@ class PreparedClouds {
   std::map<std::size_t, RegistrationCloud> clouds_;
 };
 
+std::vector<RegisteredPair> registerPairs(const std::vector<SubmapPair>& pairs,
+                                          const std::vector<PlacedSubmap>& sources,
+                                          const std::vector<PlacedSubmap>& targets,
+                                          const FineRegistrationConfig& config) {
+  const FineRegistration registration(config);
+  PreparedClouds source_clouds(sources, config), target_clouds(targets, config);
+  std::vector<RegisteredPair> registered;
+  for (const SubmapPair& pair : pairs) {
+    const PlacedSubmap &target = targets[pair.target], &source = sources[pair.source];
+    const Pose guess = target.T_common_submap.inverse() * source.T_common_submap;
+    registered.push_back(
+        {target.T_common_submap, source.T_common_submap,
+         registration.align(source_clouds[pair.source], target_clouds[pair.target], guess),
+         LoopPrior{}, target.submap, source.submap});
+  }
+  return registered;
+}
+
 LoopConstraint constraintOf(const Submap& source, const Submap& target,
                             const FineRegistrationResult& registration, LoopOrigin origin) {
   LoopConstraint loop;
@@ -49,51 +67,36 @@ std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposal
 }
 
 LoopCloser::LoopCloser(const LoopCloserConfig& config, const InformationConfig& information)
-    : config_(config),
-      registration_(config.registration),
-      information_(information, config.registration) {}
+    : config_(config), information_(information, config.registration) {}
 
 std::vector<LoopProposal> LoopCloser::close(const LocalMap& source, const LocalMap& target,
-                                            const Pose& T_target_source, LoopOrigin origin) const {
+                                            const Pose& T_target_source, LoopOrigin origin,
+                                            const PriorOf& priorOf) const {
   return close(placeByOdometry(source, T_target_source), placeByOdometry(target, Pose::identity()),
-               origin);
+               origin, priorOf);
 }
 
 std::vector<LoopProposal> LoopCloser::close(const std::vector<PlacedSubmap>& sources,
                                             const std::vector<PlacedSubmap>& targets,
-                                            LoopOrigin origin) const {
-  const std::vector<SubmapPair> pairs = associate(sources, targets, config_.association);
-  const std::vector<RegisteredPair> registered = registerPairs(pairs, sources, targets);
-  const std::vector<LoopVerdict> verdicts = judge(registered, acceptancePolicy(origin, config_));
+                                            LoopOrigin origin, const PriorOf& priorOf) const {
+  const LoopCloserConfig config = config_.scaled(scaleOf(sources, targets));
+  const std::vector<SubmapPair> pairs = associate(sources, targets, config.association);
+  std::vector<RegisteredPair> registered =
+      registerPairs(pairs, sources, targets, config.registration);
+  if (priorOf)
+    for (RegisteredPair& pair : registered) pair.prior = priorOf(*pair.source, *pair.target);
+  const std::vector<LoopVerdict> verdicts = judge(registered, acceptancePolicy(origin, config));
   std::vector<LoopProposal> proposals;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Submap &source = *sources[pairs[i].source].submap,
-                 &target = *targets[pairs[i].target].submap;
+    const Submap &source = *registered[i].source, &target = *registered[i].target;
     LoopProposal proposal{constraintOf(source, target, registered[i].registration, origin),
-                          verdicts[i], pairs[i].hausdorff, registered[i]};
+                          verdicts[i], pairs[i].hausdorff, pairs[i].overlap, registered[i]};
     Constraint& constraint = proposal.loop.constraint;
     if (proposal.verdict.isAccepted())
       constraint.information = information_.estimate(source, target, constraint.T_from_to);
     proposals.push_back(std::move(proposal));
   }
   return proposals;
-}
-
-std::vector<RegisteredPair> LoopCloser::registerPairs(
-    const std::vector<SubmapPair>& pairs, const std::vector<PlacedSubmap>& sources,
-    const std::vector<PlacedSubmap>& targets) const {
-  PreparedClouds source_clouds(sources, config_.registration);
-  PreparedClouds target_clouds(targets, config_.registration);
-  std::vector<RegisteredPair> registered;
-  for (const SubmapPair& pair : pairs) {
-    const Pose &T_common_target = targets[pair.target].T_common_submap,
-               &T_common_source = sources[pair.source].T_common_submap;
-    const Pose guess = T_common_target.inverse() * T_common_source;
-    registered.push_back(
-        {T_common_target, T_common_source,
-         registration_.align(source_clouds[pair.source], target_clouds[pair.target], guess)});
-  }
-  return registered;
 }
 
 }  // namespace revisit_slam

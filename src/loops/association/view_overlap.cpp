@@ -8,15 +8,16 @@ namespace {
 
 constexpr float kEdge = 3.0f;
 
-std::uint64_t cubeOf(const Eigen::Vector3f& point) {
-  return packVoxel(voxelOf<float>(point / kEdge));
+std::uint64_t cubeOf(const Eigen::Vector3f& point, float edge) {
+  return packVoxel(voxelOf<float>(point / edge));
 }
 
 }  // namespace
 
-CoarseView::CoarseView(const Points& points) {
+CoarseView::CoarseView(const Points& points, double scale)
+    : edge_(static_cast<float>(scale) * kEdge) {
   for (const Eigen::Vector3f& point : points)
-    if (cubes_.insert(cubeOf(point)).second) points_.push_back(point);
+    if (cubes_.insert(cubeOf(point, edge_)).second) points_.push_back(point);
 }
 
 double CoarseView::overlap(const CoarseView& source, const CoarseView& target,
@@ -25,7 +26,7 @@ double CoarseView::overlap(const CoarseView& source, const CoarseView& target,
   const Eigen::Vector3f t = T_target_source.translation.cast<float>();
   std::size_t shared = 0;
   for (const Eigen::Vector3f& point : source.points_)
-    shared += target.cubes_.count(cubeOf(R * point + t));
+    shared += target.cubes_.count(cubeOf(R * point + t, target.edge_));
   const std::size_t larger = std::max(source.points_.size(), target.points_.size());
   return larger == 0 ? 0.0 : static_cast<double>(shared) / static_cast<double>(larger);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/registration/fine_registration_information.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "revisit_slam/geometry/voxel_filter.h"
@@ -61,11 +62,12 @@ LoopInformation::LoopInformation(const InformationConfig& information,
 Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
                                   const Pose& T_target_source) const {
   if (!enabled_) return Matrix6::Identity();
-  const double tau = config_.information_distance;
+  const FineRegistrationConfig config = config_.scaled(std::max(source.scale, target.scale));
+  const double tau = config.information_distance;
   LocalVoxelMap map({tau, kPointsPerVoxel}, false);
-  map.insert(surfaces(target, config_.fitness_distance), Pose::identity());
+  map.insert(surfaces(target, config.fitness_distance), Pose::identity());
   Points thinned;
-  VoxelFilter().filter(source.points, config_.information_voxel_size, thinned);
+  VoxelFilter().filter(source.points, config.information_voxel_size, thinned);
   const Points points = matched(thinned, map, T_target_source, tau);
   return estimator_.estimate(estimator_.gather(points, map, T_target_source, tau)).information;
 }

@@ -47,7 +47,7 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::search(
   for (std::size_t i = 0; i <= n.value; ++i) paths.push_back(optimisedPath(*maps[i], T_map_scan));
   const AssociationConfig& limits = config_.association;
   for (std::size_t i = p ? p->value + 1 : 0; i <= n.value; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+    for (std::size_t j = 0; j < i + (config_.within_maps ? 1 : 0); ++j) {
       const LocalMapPair pair{maps[i]->id, maps[j]->id};
       if (closed.count(pair) > 0) continue;
       const double d = hausdorffDistance(paths[i], paths[j], limits.max_hausdorff);
@@ -62,9 +62,10 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::search(
 std::vector<RetroactiveCandidate> RetroactiveSearch::searchLowDriftWindow(
     const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
     const std::set<LocalMapPair>& closed) const {
-  if (n.value == 0 || config_.low_drift_window <= 0.0) return {};
-  std::vector<RetroactiveCandidate> candidates =
-      search(maps, T_map_scan, LocalMapId{n.value - 1, n.session}, n, closed);
+  if (config_.low_drift_window <= 0.0) return {};
+  std::optional<LocalMapId> before;
+  if (n.value > 0) before = LocalMapId{n.value - 1, n.session};
+  std::vector<RetroactiveCandidate> candidates = search(maps, T_map_scan, before, n, closed);
   const auto is_too_far_back = [&](const RetroactiveCandidate& candidate) {
     const LocalMap &later = *maps[candidate.maps.first.value],
                    &earlier = *maps[candidate.maps.second.value];
@@ -76,18 +77,21 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::searchLowDriftWindow(
   return candidates;
 }
 
-/// Whether any two submaps come near that are no neighbours. Of maps that are none all are.
+/// Whether any two submaps come near that are no neighbours.
 bool RetroactiveSearch::meetAgain(const LocalMap& later, const LocalMap& earlier,
                                   const std::vector<Pose>& T_map_scan) const {
   const AssociationConfig& limits = config_.association;
-  if (travelledBetween(*later.submaps.front(), *earlier.submaps.back()) >= limits.min_travelled)
-    return true;
-  const std::vector<PlacedSubmap> targets = placeByGraph(earlier, T_map_scan, limits);
-  for (const PlacedSubmap& source : placeByGraph(later, T_map_scan, limits))
-    for (const PlacedSubmap& target : targets)
-      if (travelledBetween(*source.submap, *target.submap) >= limits.min_travelled &&
-          comeWithin(pathOf(source), pathOf(target), limits.max_gap))
-        return true;
+  if (limits.min_detour <= 0.0) return true;
+  std::vector<Path> paths;
+  for (const PlacedSubmap& target : placeByGraph(earlier, T_map_scan, limits))
+    paths.push_back(pathOf(target));
+  for (const PlacedSubmap& source : placeByGraph(later, T_map_scan, limits)) {
+    const Path path = pathOf(source);
+    for (std::size_t r = 0; r < paths.size(); ++r) {
+      const double gap = largestGap(*source.submap, *earlier.submaps[r], limits);
+      if (gap >= 0.0 && comeWithin(path, paths[r], gap)) return true;
+    }
+  }
   return false;
 }
 

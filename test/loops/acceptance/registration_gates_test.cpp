@@ -54,5 +54,20 @@ TEST(RegistrationGates, DistanceFromTheGuess) {
   EXPECT_EQ(verdictOf(pair, rotationGate(6.0)), "accepted");
 }
 
+TEST(RegistrationGates, WhatTheDriftAllows) {
+  RegisteredPair pair;
+  pair.registration.T_target_source.translation = {5, 0, 0};
+  EXPECT_EQ(verdictOf(pair, driftGate({})), "accepted");  // nothing is known
+  pair.prior.drift = 1.0;
+  EXPECT_EQ(verdictOf(pair, driftGate({})), "drift 5 sigma > 3 sigma");
+  pair.prior.drift = 2.0;
+  EXPECT_EQ(verdictOf(pair, driftGate({})), "accepted");
+}
+
+TEST(RegistrationGates, WithoutEvidenceNothingSpeaksAgainstALoop) {
+  const RegisteredPair pair;
+  EXPECT_EQ(verdictOf(pair, ambiguityGate(0.0, 6.0)), "accepted");
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -8,18 +8,17 @@
 namespace revisit_slam {
 namespace {
 
-/// Five local maps along x, 100 m each, then back along them, `aside` metres away: 9 lies on 0,
-/// 8 on 1 and so on.
+/// Five local maps along x, 100 m each in four submaps, then back along them, `aside` metres away:
+/// 9 lies on 0, 8 on 1 and so on.
 class RetroactiveSearchTest : public testing::Test {
  protected:
   explicit RetroactiveSearchTest(double aside = 6.0) {
     for (unsigned n = 0; n < 10; ++n) {
-      auto submap = std::make_shared<Submap>();
-      submap->first_scan = {100 * n};
-      submap->travelled_begin = 100.0 * n;
-      submap->travelled_end = 100.0 * n + 99.0;
-      submap->T_submap_scan.resize(100);
-      maps_.push_back(std::make_shared<LocalMap>(LocalMap{{n}, {submap}, {}}));
+      const double step = n < 5 ? 1.0 : -1.0;
+      auto map = std::make_shared<LocalMap>();
+      map->id = {n};
+      for (unsigned k = 0; k < 4; ++k) map->submaps.push_back(submap(100 * n + 25 * k, step));
+      maps_.push_back(map);
       for (int m = 0; m < 100; ++m)
         T_map_scan_.push_back({Eigen::Quaterniond::Identity(),
                                n < 5 ? Eigen::Vector3d(100.0 * n + m, 0, 0)
@@ -27,9 +26,21 @@ class RetroactiveSearchTest : public testing::Test {
     }
   }
 
+  static SubmapPtr submap(unsigned first_scan, double step) {
+    auto submap = std::make_shared<Submap>();
+    submap->first_scan = {first_scan};
+    submap->travelled_begin = first_scan;
+    submap->travelled_end = first_scan + 24.0;
+    submap->T_submap_scan.resize(25);
+    for (int m = 0; m < 25; ++m) submap->T_submap_scan[m].translation.x() = step * m;
+    return submap;
+  }
+
   std::vector<RetroactiveCandidate> search(std::optional<LocalMapId> p, unsigned n,
                                            const std::set<LocalMapPair>& closed = {}) const {
-    return RetroactiveSearch({}).search(maps_, T_map_scan_, p, {n}, closed);
+    RetroactiveConfig config;
+    config.association.min_detour = 6.0;  // the last map ahead and the first one back: neighbours
+    return RetroactiveSearch(config).search(maps_, T_map_scan_, p, {n}, closed);
   }
 
   std::vector<LocalMapPtr> maps_;
@@ -55,9 +66,9 @@ TEST_F(RetroactiveSearchTest, RecomputesTrajectoriesFromTheGraphWhereItIsAsked) 
   EXPECT_TRUE(placeByGraph(*maps_[7], T_map_scan_, config).at(0).T_common_scan.empty());
   config.trajectories = "optimised";
   const PlacedSubmap placed = placeByGraph(*maps_[7], T_map_scan_, config).at(0);
-  ASSERT_EQ(placed.T_common_scan.size(), 100u);
+  ASSERT_EQ(placed.T_common_scan.size(), 25u);
   EXPECT_EQ(placed.T_common_submap.translation, T_map_scan_[700].translation);
-  EXPECT_EQ(placed.T_common_scan.back().translation, T_map_scan_[799].translation);
+  EXPECT_EQ(placed.T_common_scan.back().translation, T_map_scan_[724].translation);
 }
 
 TEST_F(RetroactiveSearchTest, LooksOnlyBetweenTheClosures) {
@@ -88,7 +99,7 @@ TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheTravelledDistanceBetweenTheir
     const Eigen::Vector3d step = (corners[n + 1] - corners[n]) / 60.0;
     submap->travelled_begin = n == 0 ? 0.0 : submaps.back()->travelled_end;
     submap->travelled_end =
-        submap->travelled_begin + (n == 1 ? 120.0 : 60.0);  // the bend is longer than it looks
+        submap->travelled_begin + (n == 1 ? 240.0 : 60.0);  // the bend is longer than it looks
     submap->T_submap_scan.resize(60);
     for (int m = 0; m < 60; ++m) {
       submap->T_submap_scan[m].translation = m * step;
@@ -103,8 +114,32 @@ TEST(RetroactiveSearch, NeighboursMeetAgainWhereTheTravelledDistanceBetweenTheir
   const auto found = RetroactiveSearch({}).search(maps, T_map_scan, {}, {1}, {});
   EXPECT_TRUE(contains(found, 1, 0));
   RetroactiveConfig config;
-  config.association.min_travelled = 121.0;
+  config.association.min_detour = 5.0;  // of the 5 m between them and the 59 m of a submap
   EXPECT_TRUE(RetroactiveSearch(config).search(maps, T_map_scan, {}, {1}, {}).empty());
+}
+
+/// Round a block of 60 m and past the start, all in one local map.
+TEST(RetroactiveSearch, ALocalMapThatMeetsItselfIsSearched) {
+  const Eigen::Vector3d corners[] = {{0, 0, 0}, {60, 0, 0}, {60, 60, 0}, {0, 60, 0}, {0, 0, 0}};
+  LocalMap map;
+  std::vector<Pose> T_map_scan;
+  for (unsigned n = 0; n < 5; ++n) {
+    auto submap = std::make_shared<Submap>();
+    submap->first_scan = {30 * n};
+    submap->travelled_begin = 60.0 * n;
+    submap->travelled_end = submap->travelled_begin + 30.0;
+    const Eigen::Vector3d step = (corners[(n + 1) % 4] - corners[n % 4]) / 60.0;
+    for (int m = 0; m < 30; ++m) {
+      submap->T_submap_scan.push_back({Eigen::Quaterniond::Identity(), m * step});
+      T_map_scan.push_back({Eigen::Quaterniond::Identity(), corners[n] + m * step});
+    }
+    map.submaps.push_back(submap);
+  }
+  const std::vector<LocalMapPtr> maps{std::make_shared<LocalMap>(map)};
+  EXPECT_TRUE(contains(RetroactiveSearch({}).search(maps, T_map_scan, {}, {0}, {}), 0, 0));
+  RetroactiveConfig config;
+  config.within_maps = false;
+  EXPECT_TRUE(RetroactiveSearch(config).search(maps, T_map_scan, {}, {0}, {}).empty());
 }
 
 TEST_F(RetroactiveSearchTest, InTheLowDriftWindowAreOnlyMapsNotFarBack) {

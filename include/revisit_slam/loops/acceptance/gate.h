@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/loops/acceptance/loop_prior.h"
 #include "revisit_slam/loops/registration/fine_registration.h"
 #include "revisit_slam/types/pose.h"
 
@@ -19,9 +20,15 @@ struct RegisteredPair {
   Pose T_common_target;  ///< before the registration
   Pose T_common_source;
   FineRegistrationResult registration;
+  LoopPrior prior = {};
+  SubmapPtr target = nullptr, source = nullptr;
 
   double movedTranslation() const;  ///< m, from the guess to the result
   double movedRotation() const;     ///< degrees
+  /// Standard deviations of the result from the prior; 0 without one.
+  double deviation(const DriftConfig& config) const;
+  /// rivalShare() within what the prior allows and `radius`, m; 0 if not known.
+  double ambiguity(double radius) const;
 };
 
 /// How a value has to compare with a limit.

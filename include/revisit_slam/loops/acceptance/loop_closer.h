@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "revisit_slam/loops/acceptance/gate.h"
@@ -17,11 +18,15 @@ struct LoopProposal {
   LoopConstraint loop;  ///< the identity as information unless accepted
   LoopVerdict verdict;
   double hausdorff = 0.0;  ///< m, before the registration
+  double overlap = 0.0;    ///< of what both see, before the registration
   RegisteredPair registered;
 };
 
 /// The constraints of those that were accepted.
 std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals);
+
+/// What is known of where the source lies in the target before they are registered.
+using PriorOf = std::function<LoopPrior(const Submap& source, const Submap& target)>;
 
 /// Closes loops between local maps: associates their submaps, registers each pair, and keeps those
 /// that pass the gates of their origin (acceptance_policy.h). Runs in the current TBB arena; the
@@ -38,20 +43,16 @@ class LoopCloser {
   /// From a guess of where the source is in the target (place recognition); submaps are placed in
   /// their local maps by the odometry.
   std::vector<LoopProposal> close(const LocalMap& source, const LocalMap& target,
-                                  const Pose& T_target_source, LoopOrigin origin) const;
+                                  const Pose& T_target_source, LoopOrigin origin,
+                                  const PriorOf& priorOf = {}) const;
 
   /// From submaps that are placed already, in the map (retroactive).
   std::vector<LoopProposal> close(const std::vector<PlacedSubmap>& sources,
-                                  const std::vector<PlacedSubmap>& targets,
-                                  LoopOrigin origin) const;
+                                  const std::vector<PlacedSubmap>& targets, LoopOrigin origin,
+                                  const PriorOf& priorOf = {}) const;
 
  private:
-  std::vector<RegisteredPair> registerPairs(const std::vector<SubmapPair>& pairs,
-                                            const std::vector<PlacedSubmap>& sources,
-                                            const std::vector<PlacedSubmap>& targets) const;
-
   LoopCloserConfig config_;
-  FineRegistration registration_;
   LoopInformation information_;
 };
 

@@ -18,6 +18,8 @@ struct LoopCloserConfig {
   double min_coherence = 0.5;
   double max_translation = 6.0;
   double max_rotation = 15.0;
+  double max_ambiguity = 0.95;
+  DriftConfig drift;
   PairwiseConsistencyConfig consistency;
 
   // Stricter limits for a lone registration, which no other one between its local maps confirms.
@@ -25,6 +27,14 @@ struct LoopCloserConfig {
   double lone_rotation_share = 1.0 / 3.0;
   /// Where between min_coherence (0) and 1 the limit of a retroactive one lies.
   double lone_coherence_share = 0.5;
+
+  /// For surroundings that are narrower by this factor.
+  LoopCloserConfig scaled(double scale) const {
+    LoopCloserConfig config = *this;
+    config.registration = registration.scaled(scale);
+    config.max_translation *= scale;
+    return config;
+  }
 
   double loneCoherence() const {
     return (1.0 - lone_coherence_share) * min_coherence + lone_coherence_share;
@@ -52,6 +62,11 @@ struct LoopCloserConfig {
       "largest rotation in degrees of a registration from its guess; a third of it where no other "
       "registration of the same local maps confirms it. Raise it if drift is larger than this "
       "before a loop is closed; lower it if registrations reach a wrong minimum");
+    v("max_ambiguity", max_ambiguity, Range{0.0, 10.0}, "",
+      "how well another pose within the drift of the odometry may explain two submaps, as a share "
+      "of how well the registered one does. Raise it if right loops along repeated structure are "
+      "rejected; lower it if registrations are off by a period of the structure");
+    v.group("drift", drift);
     v.group("consistency", consistency);
   }
 };

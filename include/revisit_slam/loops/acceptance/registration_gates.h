@@ -53,4 +53,18 @@ inline Gate rotationGate(double max_rotation) {
   });
 }
 
+/// The loop is where the graph expects it, within what the odometry drifts.
+inline Gate driftGate(const DriftConfig& config) {
+  return gateOfEach("drift", [config](const RegisteredPair& pair) {
+    return GateMeasurement{pair.deviation(config), Bound::at_most, config.max_deviation, "sigma"};
+  });
+}
+
+/// No other pose that the drift allows explains the submaps as well.
+inline Gate ambiguityGate(double max_ambiguity, double max_translation) {
+  return gateOfEach("ambiguity", [=](const RegisteredPair& pair) {
+    return GateMeasurement{pair.ambiguity(max_translation), Bound::at_most, max_ambiguity, ""};
+  });
+}
+
 }  // namespace revisit_slam

@@ -13,7 +13,8 @@ namespace revisit_slam {
 struct AssociationConfig {
   double max_hausdorff = 100.0;
   double max_gap = 40.0;
-  double min_travelled = 0.0;
+  double min_detour = 0.0;
+  double min_overlap = 0.2;
   std::string target = "overlap";
   std::string trajectories = "odometry";
 
@@ -29,10 +30,15 @@ struct AssociationConfig {
       "largest distance in metres between two trajectories where they are closest. Raise it if the "
       "sensor sees far and parallel streets should be matched; lower it if pairs are registered "
       "that share too little of their surroundings");
-    v("min_travelled", min_travelled, Range{0.0, 100000.0}, "m",
-      "smallest travelled distance in metres between two submaps that are compared. Raise it if "
-      "submaps are matched with their neighbours along the drive; lower it if loops shorter than "
-      "this are missed");
+    v("min_detour", min_detour, Range{0.0, 1000.0}, "",
+      "smallest travelled distance, from middle to middle, between two submaps that are compared, "
+      "as a multiple of the distance between their trajectories plus the size of a submap; 0: all "
+      "are compared. Raise it if submaps are matched with their neighbours along the drive; lower "
+      "it if short loops are missed");
+    v("min_overlap", min_overlap, Range{0.0, 1.0}, "",
+      "smallest share of their surroundings, in coarse cubes, that two submaps have to share where "
+      "they are placed to be registered. Raise it if too many pairs are registered in vain; lower "
+      "it if revisits are missed because drift puts their surroundings far apart");
     v("target", target, Choices{"overlap", "nearest"}, "",
       "which submap of the other local map a submap is registered to. overlap: the one that sees "
       "most of the same; nearest: the one of the smallest Hausdorff distance, as in the paper");
@@ -54,11 +60,19 @@ struct PlacedSubmap {
 /// Travelled distance from the end of the earlier one to the beginning of the later one, m.
 double travelledBetween(const Submap& later, const Submap& earlier);
 
+/// How near the trajectories of two submaps have to come to be compared, m; negative: they are
+/// neighbours along the drive, and not compared at all. Neighbours are told by travelled distance
+/// over displacement, which is the same for streets and for rooms.
+double largestGap(const Submap& later, const Submap& earlier, const AssociationConfig& config);
+
 /// The submaps of a local map as the odometry placed them, with the local map at `T_common_local`.
 std::vector<PlacedSubmap> placeByOdometry(const LocalMap& map, const Pose& T_common_local);
 
 /// The same submaps in another common frame.
 std::vector<PlacedSubmap> moved(std::vector<PlacedSubmap> submaps, const Pose& T_new_common);
+
+/// That of the submap with the widest surroundings; 1 without any.
+double scaleOf(const std::vector<PlacedSubmap>& a, const std::vector<PlacedSubmap>& b);
 
 /// The trajectory of a submap in the common frame.
 Path pathOf(const PlacedSubmap& placed);

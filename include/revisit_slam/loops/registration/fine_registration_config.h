@@ -19,6 +19,19 @@ struct FineRegistrationConfig {
   double information_voxel_size = 1.5;
   double information_distance = 0.75;
 
+  /// For surroundings that are narrower by this factor.
+  FineRegistrationConfig scaled(double scale) const {
+    FineRegistrationConfig config = *this;
+    for (double FineRegistrationConfig::*distance :
+         {&FineRegistrationConfig::coarsest_distance, &FineRegistrationConfig::finest_distance,
+          &FineRegistrationConfig::fitness_distance,
+          &FineRegistrationConfig::fitness_plane_distance,
+          &FineRegistrationConfig::information_voxel_size,
+          &FineRegistrationConfig::information_distance})
+      config.*distance *= scale;
+    return config;
+  }
+
   template <typename Visitor>
   void visit(Visitor& v) {
     v("coarsest_distance", coarsest_distance, Range{0.1, 100.0}, "m",

@@ -34,11 +34,10 @@ struct SurfelPose {
   Eigen::Vector3f t;
 };
 
-/// Whether two normals may belong to one surface: within 45 degrees, whatever their signs. A point
-/// without normal fits any.
+/// Whether two normals may belong to one side of a surface: within 45 degrees. A point without
+/// normal fits any.
 inline bool compatible(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  const float cosine = std::abs(a.dot(b));
-  return cosine > 0.7071f || a.isZero() || b.isZero();
+  return a.dot(b) > 0.7071f || a.isZero() || b.isZero();
 }
 
 /// The axis of the submap that the normal is nearest to, 0 to 2; 3 without normal.

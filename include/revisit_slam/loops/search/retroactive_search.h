@@ -16,12 +16,13 @@ struct RetroactiveConfig {
   AssociationConfig association = withNeighboursLeftOut();
   double low_drift_window = 300.0;
   int novelty_range = 5;
-  int max_pairs = 20;
+  int max_pairs = 10;
   bool search_at_end = true;
+  bool within_maps = true;
 
   static AssociationConfig withNeighboursLeftOut() {
     AssociationConfig config;
-    config.min_travelled = 100.0;
+    config.min_detour = 3.0;
     return config;
   }
 
@@ -46,10 +47,14 @@ struct RetroactiveConfig {
     v("search_at_end", search_at_end,
       "true: the local maps since the last loop by appearance are searched when the drive is over; "
       "false: only a loop by appearance starts a search, as in the paper");
+    v("within_maps", within_maps,
+      "true: the submaps of one local map are compared with each other, too, which closes loops of "
+      "small places; false: only those of different local maps, as in the paper");
   }
 };
 
-/// The later local map (source) and the earlier one (target).
+/// The later local map (source) and the earlier one (target); the same one twice for loops within
+/// it.
 using LocalMapPair = std::pair<LocalMapId, LocalMapId>;
 
 struct RetroactiveCandidate {
@@ -70,10 +75,10 @@ class RetroactiveSearch {
 
   void reconfigure(const RetroactiveConfig& config) { config_ = config; }
 
-  /// Pairs (i, j) with p < i <= n and j earlier, not in `closed`, whose optimised trajectories
-  /// satisfy d_H <= tau_H and come near where they are not neighbours along the drive; most
-  /// promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all maps
-  /// up to n are searched.
+  /// Pairs (i, j) with p < i <= n and j earlier, or i itself, not in `closed`, whose optimised
+  /// trajectories satisfy d_H <= tau_H and come near where they are not neighbours along the drive;
+  /// most promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all
+  /// maps up to n are searched.
   std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
                                            const std::vector<Pose>& T_map_scan,
                                            std::optional<LocalMapId> p, LocalMapId n,

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "revisit_slam/types/loop_edge.h"
+#include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/submap.h"
+#include "revisit_slam/util/parameters.h"
+
+namespace revisit_slam {
+
+/// How far the odometry is expected to drift, and how far a loop may deviate from that.
+struct DriftConfig {
+  double max_deviation = 3.0;
+  double base = 0.3;
+  double rate = 0.01;
+  double weak_rate = 0.05;
+  double vertical_share = 0.3;
+  double rotation = 1.0;
+
+  template <typename Visitor>
+  void visit(Visitor& v) {
+    v("max_deviation", max_deviation, Range{0.0, 1000.0}, "sigma",
+      "largest deviation of a loop from where the graph expects it, in standard deviations of what "
+      "the odometry drifts along the shortest way through the graph; 0: not checked. Raise it if "
+      "right loops are rejected after long ways; lower it if wrong loops of places that look alike "
+      "are accepted");
+    v("base", base, Range{0.0, 100.0}, "m",
+      "standard deviation of a loop after no way at all: what submaps are bent. Raise it if right "
+      "loops are rejected after short ways; lower it if wrong ones are accepted");
+    v("rate", rate, Range{0.0, 1.0}, "",
+      "standard deviation of the drift, in metres for each metre of way. Raise it if the odometry "
+      "drifts more than this; lower it if it drifts less");
+    v("weak_rate", weak_rate, Range{0.0, 10.0}, "",
+      "standard deviation that is added for each metre of way where scans hardly hold the pose in "
+      "some direction, as in tunnels. Raise it if "
+      "right loops behind tunnels are rejected; lower it if wrong ones are accepted");
+    v("vertical_share", vertical_share, Range{0.0, 10.0}, "",
+      "drift in height, as a share of the drift in the plane, but no less than base. Raise it if "
+      "right loops are rejected "
+      "for their height; lower it if storeys are taken for each other");
+    v("rotation", rotation, Range{0.0, 180.0}, "deg/m",
+      "drift in rotation for each metre of drift in the plane. Raise it if right loops are "
+      "rejected for their rotation; lower it if wrong ones are accepted");
+  }
+};
+
+/// What is known of where one submap lies in another before they are registered.
+struct LoopPrior {
+  Pose T_target_source;
+  /// m, standard deviation in the plane; infinite: nothing is known.
+  double drift = std::numeric_limits<double>::infinity();
+
+  /// How many standard deviations a pose is from it, 0 where nothing is known. The height is that
+  /// along the z axis of the target submap.
+  double deviation(const Pose& T_target_source, const DriftConfig& config) const;
+};
+
+/// How far the graph can be off between submaps: the drift of the odometry along the shortest way
+/// from one to the other, which may take the loops that the graph has taken.
+class GraphDrift {
+ public:
+  /// `submaps` by number.
+  GraphDrift(std::vector<SubmapPtr> submaps, const std::vector<LoopEdge>& loops,
+             const DriftConfig& config);
+
+  /// m, standard deviation, from a submap to each of all, by number.
+  std::vector<double> from(SubmapId submap) const;
+
+ private:
+  struct Step {
+    std::size_t to;
+    double drift;  // m
+  };
+
+  double base_;
+  std::vector<std::vector<Step>> steps_;  // from each submap
+};
+
+}  // namespace revisit_slam
