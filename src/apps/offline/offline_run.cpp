@@ -2,6 +2,7 @@
 #include "offline_run.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -10,8 +11,23 @@
 #include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
-
 namespace {
+
+/// A line of loop_candidates.csv: the pair of submaps, and the gate that rejected it, if any.
+std::string lineOf(const LoopProposal& proposal) {
+  const LoopConstraint& loop = proposal.loop;
+  const GateMeasurement& measurement = proposal.verdict.measurement;
+  std::ostringstream line;
+  line << toString(loop.origin) << ',' << loop.target_map.value << ',' << loop.source_map.value
+       << ',' << loop.target.value << ',' << loop.source.value << ',' << proposal.verdict.outcome()
+       << ',';
+  if (!proposal.verdict.isAccepted())
+    line << measurement.value << ',' << measurement.limit << ',' << measurement.unit;
+  else
+    line << ",,";
+  line << '\n';
+  return line.str();
+}
 
 /// Where a drive is localized nothing is mapped.
 SlamConfig withOrWithoutMaps(SlamConfig config) {
@@ -41,11 +57,16 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       extent_(extent),
       total_(countOf(extent, source_->size())),
       progress_(config_.mapping.enabled ? "mapping" : "localizing", "scans", total_, quiet),
+      loop_candidates_(folder_.file("loop_candidates.csv")),
       executor_(config.background),
       slam_(config_, *this, executor_,
             [this](SessionId session, Stamp) { return targetOf(session); }) {
-  if (config.localization.map.empty()) return;
-  localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
+  if (!config.localization.map.empty()) {
+    localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
+    return;
+  }
+  loop_candidates_.add(
+      "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n");
 }
 
 void OfflineRun::run() {
@@ -188,6 +209,7 @@ void OfflineRun::sayWhatWaits() {
 
 void OfflineRun::onLoopSearch(const LoopSearchResult& result) {
   sayWhatWaits();
+  for (const LoopProposal& proposal : result.proposals) loop_candidates_.add(lineOf(proposal));
   const std::lock_guard<std::mutex> lock(mutex_);
   background_times_.push_back(result.times);
   if (result.origin == LoopOrigin::retroactive) {
@@ -237,6 +259,7 @@ void OfflineRun::writeResults() {
     judgeConsistency(summary);
   }
   if (localized_) localized_->finish();
+  if (!localized_) loop_candidates_.flush();
   folder_.finish(summary);
   if (account.processed == 0)
     throw BagError("not one of " + std::to_string(account.received) + " scans could be processed");

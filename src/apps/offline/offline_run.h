@@ -82,9 +82,11 @@ class OfflineRun : private SlamObserver {
 
   std::string said_problem_;  // of the background
 
-  std::mutex mutex_;  // guards the next two
+  std::mutex mutex_;  // guards the next two members
   std::vector<StageTimes> background_times_;
   int retroactive_pairs_ = 0;
+
+  LineFile loop_candidates_;  // in the background
 
   StagedExecutor executor_;
   Slam slam_;  // last: its stages speak to the observer
