@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 namespace revisit_slam {
 namespace {
 
-/// Travelled distances of different drives do not compare.
+/// Travelled distances of different drives do not compare, and what a short open submap shares with
+/// another is for the gates to say.
 LoopCloserConfig acrossDrives(LoopCloserConfig config, double min_overlap) {
   config.min_fitness = min_overlap;
-  config.association.min_travelled = -std::numeric_limits<double>::infinity();
+  config.association.min_overlap = 0.0;
+  config.association.min_detour = 0.0;
   return config;
 }
 
