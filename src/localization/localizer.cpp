@@ -7,6 +7,25 @@
 #include <utility>
 
 namespace revisit_slam {
+namespace {
+
+/// Scans of a session before the odometry knows the motion that it deskews with: one of a moving
+/// base is bent by as much as the base goes during a sweep.
+constexpr int kBentScans = 5;
+
+/// deg, headings that are tried about one that is given: ten degrees move what is far by metres.
+constexpr double kTurns[] = {0.0, 7.0, -7.0, 14.0, -14.0};
+
+Pose turnedBy(double degrees) {
+  return {expSO3({0.0, 0.0, degrees * M_PI / 180.0}), Eigen::Vector3d::Zero()};
+}
+
+bool isBetter(const MapMatch& a, const MapMatch& b) {
+  return a.accepted != b.accepted ? a.accepted : a.coherence > b.coherence;
+}
+
+}  // namespace
+
 const char* toString(LocalizationState state) {
   switch (state) {
     case LocalizationState::searching:
@@ -36,6 +55,7 @@ void Localizer::startAt(const Pose& T_map_base) {
   start_ = T_map_base * T_odom_base_.inverse();
   now_.state = LocalizationState::candidate;
   now_.T_map_odom = *start_;
+  started_at_ = recent_.travelled();
   attempted_at_ = -config_.localization.interval;  // at once
 }
 
@@ -54,10 +74,12 @@ Localization Localizer::add(const InformedScan& informed) {
   now_.stamp = scan.stamp;
   now_.attempted = false;
   T_odom_base_ = scan.T_odom_base;
-  recent_.insert(scan);
   window_.add(nodeOf(informed));
   window_.shorten(config_.localization.window);
-  attempt();
+  if (++scans_ > kBentScans) {
+    recent_.insert(scan);
+    attempt();
+  }
   now_.T_map_base = now_.T_map_odom * T_odom_base_;
   now_.since_fix = recent_.travelled() - fixed_at_;
   now_.covariance = covariance_.base();
@@ -72,7 +94,9 @@ void Localizer::beginSession(const InformedScan& informed) {
   window_ = PoseWindow(config_.backend);
   hypotheses_.clear();
   covariance_ = PoseCovariance();
-  fixed_at_ = searched_at_ = 0.0;
+  fixed_at_ = searched_at_ = started_at_ = 0.0;
+  scans_ = 0;
+  attempted_at_ = -config_.localization.interval;  // at once
   has_scans_ = true;
   T_odom_base_ = informed.scan->T_odom_base;
   if (was_known) {
@@ -90,7 +114,8 @@ bool Localizer::isDue(double& last, double interval) const {
 void Localizer::attempt() {
   const LocalizationConfig& config = config_.localization;
   // Whoever has given a pose waits for it.
-  if (!isDue(attempted_at_, start_ ? 0.2 * config.interval : config.interval)) return;
+  const bool hurries = start_ && recent_.travelled() - started_at_ < config.open_length;
+  if (!isDue(attempted_at_, hurries ? 0.2 * config.interval : config.interval)) return;
   recent_.cut();
   if (start_ && tryStart()) return;
   if (now_.state == LocalizationState::localized || now_.state == LocalizationState::lost) track();
@@ -115,10 +140,15 @@ void Localizer::note(const MapMatch& match) {
 
 /// One registration is enough: somebody vouches for the place.
 bool Localizer::tryStart() {
-  const MapMatch match = matcher_.relocate(openSubmap(), *start_ * T_odom_base_);
-  note(match);
-  if (match.accepted) believe(match);
-  return match.accepted;
+  const SubmapPtr open = openSubmap();
+  MapMatch best;
+  for (const double degrees : kTurns) {
+    const MapMatch match = matcher_.relocate(open, *start_ * T_odom_base_ * turnedBy(degrees));
+    if (degrees == 0.0 || isBetter(match, best)) best = match;
+  }
+  note(best);
+  if (best.accepted) believe(best);
+  return best.accepted;
 }
 
 /// Where the odometry has gone far without the map, its pose has to be confirmed like any other

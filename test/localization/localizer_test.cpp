@@ -15,8 +15,15 @@ class LocalizerTest : public testing::Test {
     config_.localization.open_length = 15.0;
   }
 
-  /// Along the street from x = 10 on.
-  static std::vector<Pose> way(double end) { return drive(10, end, 1.0); }
+  static constexpr std::size_t kStands = 5;  // scans before the drive begins
+
+  /// Along the street.
+  static std::vector<Pose> way(double begin, double end) {
+    std::vector<Pose> way = drive(begin, end, 1.0);
+    way.insert(way.begin(), kStands, way.front());
+    return way;
+  }
+  static std::vector<Pose> way(double end) { return way(10, end); }
   static Pose start(double off) { return T_map_street() * poseAt(10 + off, 1.0, 0.1 * off); }
   static double errorAt(const Localization& now, const Pose& T_street_base) {
     return (now.T_map_base.translation - (T_map_street() * T_street_base).translation).norm();
@@ -27,11 +34,12 @@ class LocalizerTest : public testing::Test {
 
 TEST_F(LocalizerTest, FromAPoseThatWasDrawnItKnowsAtOnceAndFollows) {
   Localizer localizer(config_, streetMap());
-  localizer.startAt(start(1.0));
+  localizer.startAt(start(2.0));  // and 11 degrees
   const std::vector<Pose> way = this->way(50);
   const std::vector<InformedScan> scans = scansAlong(way);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const Localization now = localizer.add(scans[i]);
+    if (i < kStands) continue;
     EXPECT_TRUE(now.attempted);
     EXPECT_EQ(now.state, LocalizationState::localized) << i << " " << now.reason;
     EXPECT_LT(errorAt(now, way[i]), 0.1) << i;
@@ -42,7 +50,8 @@ TEST_F(LocalizerTest, FromAPoseThatWasDrawnItKnowsAtOnceAndFollows) {
 TEST_F(LocalizerTest, TheStartMayBeAParameter) {
   config_.localization.start = "110.5 1 0";
   Localizer localizer(config_, streetMap());
-  const Localization now = localizer.add(scansAlong(way(15)).front());
+  Localization now;
+  for (const InformedScan& scan : scansAlong(way(15))) now = localizer.add(scan);
   EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
   config_.localization.start = "somewhere";
   EXPECT_THROW(Localizer(config_, streetMap()), ParameterError);
@@ -74,6 +83,23 @@ TEST_F(LocalizerTest, AfterAWayThroughTheUnknownItIsLostAndFoundAgain) {
   EXPECT_EQ(states[there.size() - 1], LocalizationState::localized);
   EXPECT_EQ(states[there.size() + 7], LocalizationState::lost);
   EXPECT_EQ(states.back(), LocalizationState::localized);
+}
+
+TEST_F(LocalizerTest, AnotherSessionGoesOnWhereTheOneBeforeEnded) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  for (const InformedScan& scan : scansAlong(way(30))) localizer.add(scan);
+  Localization now;
+  const std::vector<Pose> way = this->way(30, 50);
+  for (const InformedScan& informed : scansAlong(way)) {
+    auto scan = std::make_shared<RegisteredScan>(*informed.scan);
+    scan->id.session.value = 1;
+    InformedScan next = informed;
+    next.scan = scan;
+    now = localizer.add(next);
+  }
+  EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
+  EXPECT_LT(errorAt(now, way.back()), 0.1);
 }
 
 }  // namespace

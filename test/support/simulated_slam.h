@@ -23,14 +23,16 @@ struct InformedDrive {
 
 inline InformedDrive simulateInformedDrive(const std::string& route_name, double length,
                                            const std::string& sensor, int columns, unsigned seed,
-                                           const SlamConfig& config) {
+                                           const SlamConfig& config,
+                                           const simulation::VisitConfig& visit = {}) {
   using namespace simulation;
   RouteConfig route_config;
   route_config.route = route_name;
   route_config.length = length;
   route_config.seed = seed;
+  route_config.visit = visit;
   const Route route = makeRoute(route_config);
-  const World world = makeWorld({}, route);
+  const World world = makeWorld({}, worldRoute(route_config), route);
   const ScanSimulator simulator(world, route, makeSensor(sensor, columns), {});
   OdometryStage odometry(config);
   InformationStage information(config.information);

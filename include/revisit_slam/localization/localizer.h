@@ -73,7 +73,9 @@ class Localizer {
   Pose T_odom_base_;
   PoseCovariance covariance_;
   bool has_scans_ = false;
+  int scans_ = 0;                                                   // of the session
   double attempted_at_ = 0.0, searched_at_ = 0.0, fixed_at_ = 0.0;  // m, travelled
+  double started_at_ = 0.0;                                         // likewise: start_ was given
 };
 
 }  // namespace revisit_slam
