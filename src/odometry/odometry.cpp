@@ -20,6 +20,13 @@ constexpr std::uint32_t kScansPerScale = 10;
 
 /// A drive that fits nowhere for longer is not worth the time of further guesses.
 constexpr int kMostVainRecoveries = 3;
+/// So many are enough to tell a right guess; a wrong one may wander for hundreds.
+constexpr int kGuessIterations = 20;
+
+RegistrationConfig forGuesses(RegistrationConfig config) {
+  config.max_iterations = std::min(config.max_iterations, kGuessIterations);
+  return config;
+}
 
 /// How the points for the map are taken from a scan, and from these those for ICP.
 struct Sampling {
@@ -74,6 +81,7 @@ Odometry::Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor
       scale_(config.map.voxel_size, config.adaptive_voxel_size),
       map_(config.map, config.registration.planes),
       registration_(config.registration),
+      guesses_(forGuesses(config.registration)),
       threshold_(config.threshold, config.max_range),
       fit_(config.fit) {}
 
@@ -235,12 +243,16 @@ void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& ring
   const auto fits = [&] { return fit_.isUsual(registered.registration.explained); };
   if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
   if ((fits() && !predicted.is_after_gap) || vain_recoveries_ >= kMostVainRecoveries) return;
+  RegistrationResult best = registered.registration;
   for (const Pose& T_previous_base : recoveryGuesses(predicted)) {
     const RegistrationResult other =
-        registration_.align(registered.source_base, {}, map_, T_odom_previous_ * T_previous_base,
-                            config_.threshold.initial, rings);
-    if (other.explained > registered.registration.explained) registered.registration = other;
+        guesses_.align(registered.source_base, {}, map_, T_odom_previous_ * T_previous_base,
+                       config_.threshold.initial, rings);
+    if (other.explained > best.explained) best = other;
   }
+  if (best.explained > registered.registration.explained)
+    registered.registration = registration_.align(registered.source_base, {}, map_,
+                                                  best.T_odom_base, threshold_.sigma(), rings);
   vain_recoveries_ = fits() ? 0 : vain_recoveries_ + 1;
 }
 

@@ -96,6 +96,7 @@ class Odometry {
   VoxelScale scale_;
   LocalVoxelMap map_;
   Registration registration_;
+  Registration guesses_;  // with few iterations
   AdaptiveThreshold threshold_;
   VoxelFilter voxel_filter_;
   std::vector<float> sweep_fractions_;      // of the points of the scan
