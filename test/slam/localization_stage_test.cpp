@@ -17,7 +17,7 @@ TEST(LocalizationStage, FindsAnotherDriveInTheMapOfASession) {
   SlamConfig config;
   config.occupancy.enabled = false;
   const auto simulated = [&](const simulation::VisitConfig& visit) {
-    return simulateInformedDrive("loop", 260.0, "spinning-16", 512, 3, config, visit);
+    return simulateInformedDrive("loop", 300.0, "spinning-16", 512, 3, config, visit);
   };
   const InformedDrive first = simulated({});
   {
