@@ -58,6 +58,23 @@ TEST_F(MergeTest, TheResultIsASessionWithAllFilesOfBoth) {
     EXPECT_LT((a[i].T_world_base.translation - b[i].T_world_base.translation).norm(), 0.05) << i;
 }
 
+TEST_F(MergeTest, ADriveExtendsAMap) {
+  const auto extend = [&](const std::string& out, const std::string& places) {
+    return run({REVISIT_SLAM_OFFLINE_PROGRAM, "--bag", folder_.file("drive.bag"), "--map",
+                folder_.file("a"), "--mode", "extend", "--out", folder_.file(out), "--set",
+                "loops/joining/min_places=" + places},
+               0);
+  };
+  EXPECT_TRUE(contains(extend("larger", "1"), "the drive is in the map that it extends"));
+  std::vector<std::string> notices;
+  const Session session = readSession(folder_.file("larger"), notices);
+  EXPECT_TRUE(notices.empty()) << notices.front();
+  EXPECT_EQ(sessionsOf(session), (std::vector<SessionId>{SessionId{0}, SessionId{1}}));
+  EXPECT_EQ(textOf(folder_.file("larger/submaps/000000.rsm")),
+            textOf(folder_.file("a/submaps/000000.rsm")));
+  EXPECT_TRUE(contains(extend("apart", "2"), "session 1 is left out"));
+}
+
 TEST_F(MergeTest, WhatCannotBeJoinedIsNamedAndNothingIsWritten) {
   const std::string said = merge({"--out", folder_.file("both")}, 2);
   EXPECT_TRUE(contains(said, folder_.file("b") + " is left out"));
