@@ -33,8 +33,9 @@ revisit_slam_gtest(apps revisit_slam_ros nlohmann_json::nlohmann_json)
 target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TARGET_FILE:convert_dataset>"
                                              REVISIT_SLAM_EVALUATE_PROGRAM="$<TARGET_FILE:evaluate>"
                                              REVISIT_SLAM_EXPORT_PROGRAM="$<TARGET_FILE:export>"
+                                             REVISIT_SLAM_MERGE_PROGRAM="$<TARGET_FILE:merge>"
                                              REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>")
-add_dependencies(apps_test convert_dataset evaluate export offline)
+add_dependencies(apps_test convert_dataset evaluate export merge offline)
 
 # test/nodelets/NAME.test starts the program made of test/nodelets/NAME/*_test.cpp with a master of
 # its own.

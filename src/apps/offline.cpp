@@ -36,11 +36,21 @@ SlamConfig readConfig(const Options& options) {
   if (!options.preset.empty()) assignAll(readPreset(options.preset));
   if (!options.parameter_file.empty()) assignAll(readParameterFile(options.parameter_file));
   assignAll(parseSettings(options.settings));
-  if (!options.map.empty()) assign(parameters, {{"localization/map", options.map}});
+  if (options.mode == "localize") assign(parameters, {{"localization/map", options.map}});
   if (options.threads > 0)
     for (const char* threads : {"odometry/threads", "background/threads", "backend/threads"})
       assign(parameters, {{threads, std::to_string(options.threads)}});
   return config;
+}
+
+/// What the drive goes on from, if it extends a map.
+KnownMapPtr readPrior(const Options& options, const SlamConfig& config) {
+  if (options.mode != "extend") return nullptr;
+  std::vector<std::string> notices;
+  auto prior = std::make_shared<const KnownMap>(
+      readKnownMap(options.map, {}, config.loops.recognition, notices));
+  for (const std::string& notice : notices) std::cerr << "offline: " << notice << "\n";
+  return prior;
 }
 
 std::unique_ptr<ScanSource> openSource(const Options& options, const PriorsConfig& priors) {
@@ -65,18 +75,20 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();
   app.add_option("--threads", options.threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 64));
-  app.add_option("--map", options.map, "session in whose map to --mode localize");
+  app.add_option("--map", options.map, "session whose map to localize in, or to extend");
   app.add_option("--mode", options.mode,
-                 "map: make a new map; localize: find the drive in the map of --map")
-      ->check(CLI::IsMember({"map", "localize"}));
+                 "map: make a new map; localize: find the drive in the map of --map; extend: map "
+                 "the drive, and join it to that map, which is copied to --out")
+      ->check(CLI::IsMember({"map", "localize", "extend"}));
   app.add_option("--first-scan", options.extent.first_scan, "leave out so many scans before");
   app.add_option("--max-scans", options.extent.max_scans, "stop after so many scans");
   app.add_flag("--quiet", options.quiet, "no progress, only errors");
   app.parse(argc, argv);
   if (options.bags.empty() == options.dataset.empty())
     throw CLI::ValidationError("scans", "give either --bag or --dataset");
-  if ((options.mode == "localize") == options.map.empty())
-    throw CLI::ValidationError("mode", "--mode localize and --map SESSION belong together");
+  if ((options.mode == "map") != options.map.empty())
+    throw CLI::ValidationError("mode",
+                               "--map SESSION and --mode localize or extend belong together");
   return options;
 }
 
@@ -100,7 +112,8 @@ int main(int argc, char** argv) {
     options = revisit_slam::parseOptions(app, argc, argv);
     const revisit_slam::SlamConfig config = revisit_slam::readConfig(options);
     revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config.priors),
-                                 options.out, options.extent, options.quiet);
+                                 options.out, options.extent, options.quiet,
+                                 revisit_slam::readPrior(options, config));
     has_begun = true;
     run.run();
     return revisit_slam::interruption() != 0 ? 128 + revisit_slam::interruption() : 0;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -22,13 +23,16 @@ class PriorMapReader {
       : session_(readSession(folder, notices)), recognition_(recognition), notices_(notices) {}
 
   PriorMap read() {
+    session_ = tiedTo(session_.info.id, std::move(session_));
+    scans_ = scansOf(session_.graph);
     map_.info = session_.info;
     map_.T_map_scan = session_.graph.T_map_scan;
-    for (const SubmapClosed& submap : session_.submaps)
+    std::set<LocalMapId> places;
+    for (const SubmapClosed& submap : session_.submaps) {
       attempt([&] { readOne(submap); }, "without submap " + std::to_string(submap.id.value));
-    if (session_.submaps.empty()) return std::move(map_);
-    const std::uint32_t last = session_.submaps.back().local_map.value;
-    for (LocalMapId id{0, session_.info.id}; id.value <= last; ++id.value)
+      places.insert(submap.local_map);
+    }
+    for (const LocalMapId id : places)
       attempt([&] { readPlace(id); }, "place " + std::to_string(id.value) + " is not recognised");
     return std::move(map_);
   }
@@ -45,17 +49,17 @@ class PriorMapReader {
 
   void readOne(const SubmapClosed& closed) {
     const MapUpdate update =
-        readSubmap(submapFile(session_.folder, closed.id),
+        readSubmap(submapFile(session_.folder, closed.id, session_.info.id),
                    {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
     if (update.submap->points.size() != update.submap->normals.size())
       throw std::runtime_error("not as many normals as points");
-    const Pose& T_map_submap = session_.graph.T_map_scan.at(closed.first_scan.value);
+    const Pose& T_map_submap = session_.graph.T_map_scan.at(scans_[closed.first_scan]);
     T_map_submap_[closed.id] = T_map_submap;
     map_.submaps.push_back({update.submap, T_map_submap});
   }
 
   void readPlace(LocalMapId id) {
-    StoredLocalMap place = readLocalMap(localMapFile(session_.folder, id));
+    StoredLocalMap place = readLocalMap(localMapFile(session_.folder, id, session_.info.id));
     if (place.submaps.empty() || place.features.size() == 0)
       throw std::runtime_error("it has no features");
     if (place.pixel != recognition_.image.resolution)
@@ -68,6 +72,7 @@ class PriorMapReader {
   }
 
   Session session_;
+  SessionOffsets<ScanId> scans_;
   const PlaceRecognitionConfig& recognition_;
   std::vector<std::string>& notices_;
   PriorMap map_;

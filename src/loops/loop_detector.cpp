@@ -31,7 +31,8 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
       recognition_(loops.recognition),
       appearance_closer_(loops.closer, information),
       retroactive_closer_(closerConfig(loops, retroactive), information),
-      retroactive_(searchConfig(loops, retroactive)) {}
+      retroactive_(searchConfig(loops, retroactive)),
+      joining_(loops.joining, loops.closer.consistency) {}
 
 void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   drift_ = loops.closer.drift;
@@ -40,6 +41,22 @@ void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig
   appearance_closer_.reconfigure(loops.closer);
   retroactive_closer_.reconfigure(closerConfig(loops, retroactive));
   retroactive_.reconfigure(searchConfig(loops, retroactive));
+  joining_.reconfigure(loops.joining, loops.closer.consistency);
+}
+
+void LoopDetector::add(const LocalMapPtr& map) {
+  order_.append(map->id);
+  maps_.push_back(map);
+  for (const SubmapPtr& submap : map->submaps)
+    for (ScanId scan = submap->first_scan; scan.value <= submap->lastScan().value; ++scan.value)
+      scans_.append(scan);
+}
+
+void LoopDetector::addSearched(const LocalMapPtr& map, const PlaceView& view) {
+  add(map);
+  recognition_.add(map->id, view.T_level_local, view.features);
+  views_[map->id] = view;
+  searched_ = map->id;
 }
 
 LoopSearchResult LoopDetector::newSearch(LoopOrigin origin) const {
@@ -50,36 +67,79 @@ LoopSearchResult LoopDetector::newSearch(LoopOrigin origin) const {
 }
 
 LoopSearchResult LoopDetector::searchByAppearance(const LocalMapPtr& map) {
-  maps_.push_back(map);
+  add(map);
   LoopSearchResult result = newSearch(LoopOrigin::appearance);
   if (!enabled_) return result;
   StageClock clock;
-  result.match = recognition_.recognise(*map);
+  recognition_.recognise(*map);
   result.candidates = recognition_.candidates();
   result.view = std::make_shared<const PlaceView>(recognition_.lastView());
   clock.stage("recognition");
-  if (result.match) {
-    result.proposals = closeByAppearance(*map, *result.match);
-    for (LoopProposal& proposal : result.proposals) proposal.loop.inliers = result.match->inliers;
-  }
+  closeMatches(*map, result);
   clock.stage("registration");
   result.times = clock.times();
   return result;
+}
+
+LoopSearchResult LoopDetector::searchAcrossSessions(LocalMapId map, SessionId first) {
+  LoopSearchResult result = newSearch(LoopOrigin::appearance);
+  if (!enabled_) return result;
+  StageClock clock;
+  for (const PlaceMatch& match : recognition_.find(views_.at(map)))
+    if (match.target.session < first) result.candidates.push_back(match);
+  clock.stage("recognition");
+  closeMatches(*mapOf(map), result);
+  clock.stage("registration");
+  result.times = clock.times();
+  return result;
+}
+
+/// The best place among the sessions that are tied to the source's own, and among each group of
+/// others.
+void LoopDetector::closeMatches(const LocalMap& source, LoopSearchResult& result) {
+  std::set<SessionId> closed;  // groups
+  for (const PlaceMatch& match : result.candidates) {
+    if (!recognition_.isRecognised(match)) break;
+    if (!closed.insert(groups_.of(match.target.session)).second) continue;
+    if (!result.match) result.match = match;
+    const bool is_tied = groups_.areTied(source.id.session, match.target.session);
+    for (LoopProposal& proposal : closeByAppearance(source, match)) {
+      proposal.loop.inliers = match.inliers;
+      const bool waits = !is_tied && proposal.verdict.isAccepted();
+      result.proposals.push_back(waits ? joining_.hold(std::move(proposal)) : std::move(proposal));
+    }
+  }
+  believe(result);
+}
+
+/// Loops between sessions that agree by now.
+void LoopDetector::believe(LoopSearchResult& result) {
+  if (joining_.held() == 0) return;
+  const std::vector<LoopProposal> believed = joining_.takeBelieved(placeScans(), groups_);
+  const auto is_believed = [&](const LoopProposal& proposal) {
+    return std::any_of(believed.begin(), believed.end(), [&](const LoopProposal& other) {
+      return other.loop.source == proposal.loop.source && other.loop.target == proposal.loop.target;
+    });
+  };
+  result.proposals.erase(
+      std::remove_if(result.proposals.begin(), result.proposals.end(), is_believed),
+      result.proposals.end());
+  result.proposals.insert(result.proposals.end(), believed.begin(), believed.end());
 }
 
 /// The place that was recognised says where the local maps are to each other; within them submaps
 /// are where the odometry or the graph has them.
 std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source,
                                                           const PlaceMatch& match) const {
-  const LocalMap& target = *maps_.at(match.target.value);
+  const LocalMap& target = *mapOf(match.target);
   const AssociationConfig& association = appearance_closer_.association();
-  const std::vector<Pose> T_map_scan = placeScans();
+  const ScanPoses T_map_scan = placeScans();
   const PriorOf priors = priorsOf(T_map_scan);
   if (!association.usesOptimisedTrajectories())
     return appearance_closer_.close(source, target, match.T_target_source, LoopOrigin::appearance,
                                     priors);
   const auto placed = [&](const LocalMap& map, const Pose& T_common_local) {
-    const Pose& T_map_local = T_map_scan[map.submaps.front()->first_scan.value];
+    const Pose& T_map_local = T_map_scan[map.submaps.front()->first_scan];
     return moved(placeByGraph(map, T_map_scan, association),
                  T_common_local * T_map_local.inverse());
   };
@@ -88,23 +148,23 @@ std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source
 }
 
 /// Where the graph has the submaps, and how far it may be off.
-PriorOf LoopDetector::priorsOf(const std::vector<Pose>& T_map_scan) const {
+PriorOf LoopDetector::priorsOf(const ScanPoses& T_map_scan) const {
   std::vector<SubmapPtr> submaps;
   for (const LocalMapPtr& map : maps_)
     submaps.insert(submaps.end(), map->submaps.begin(), map->submaps.end());
   const auto drift = std::make_shared<const GraphDrift>(
       std::move(submaps), correction_ ? correction_->loops : std::vector<LoopEdge>{}, drift_);
   return [drift, &T_map_scan](const Submap& source, const Submap& target) {
-    return LoopPrior{
-        T_map_scan[target.first_scan.value].inverse() * T_map_scan[source.first_scan.value],
-        drift->from(source.id)[target.id.value]};
+    return LoopPrior{T_map_scan[target.first_scan].inverse() * T_map_scan[source.first_scan],
+                     drift->between(source.id, target.id)};
   };
 }
 
-LoopSearchResult LoopDetector::searchRetroactively() {
+LoopSearchResult LoopDetector::searchRetroactively(std::optional<LocalMapId> n) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
-  if (searchWindow(tried_, result)) {
-    searched_ = maps_.back()->id;
+  const LocalMapId last = n.value_or(maps_.back()->id);
+  if (searchWindow(last, tried_, result)) {
+    searched_ = last;
     tried_.clear();
   }
   return result;
@@ -112,18 +172,23 @@ LoopSearchResult LoopDetector::searchRetroactively() {
 
 LoopSearchResult LoopDetector::searchUnspent(std::set<LocalMapPair>& tried) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
-  if (search_at_end_) searchWindow(tried, result);
+  believe(result);
+  if (result.proposals.empty() && search_at_end_) searchWindow(maps_.back()->id, tried, result);
   return result;
 }
 
 /// As many pairs as may be at a time. @return whether these were all.
-bool LoopDetector::searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult& result) const {
+bool LoopDetector::searchWindow(LocalMapId n, std::set<LocalMapPair>& tried,
+                                LoopSearchResult& result) const {
   StageClock clock;
-  const std::vector<Pose> T_map_scan = placeScans();
+  const ScanPoses T_map_scan = placeScans();
   std::vector<RetroactiveCandidate> candidates =
-      retroactive_.search(maps_, T_map_scan, searched_, maps_.back()->id, closed_);
-  const auto was_tried = [&](const auto& candidate) { return tried.count(candidate.maps) > 0; };
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), was_tried),
+      retroactive_.search(maps_, T_map_scan, searched_, n, closed_);
+  const auto is_left_out = [&](const RetroactiveCandidate& candidate) {
+    const auto& [source, target] = candidate.maps;
+    return tried.count(candidate.maps) > 0 || !groups_.areTied(source.session, target.session);
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
   const std::size_t done = close(candidates, T_map_scan, result);
   for (std::size_t i = 0; i < done; ++i) tried.insert(candidates[i].maps);
@@ -136,7 +201,7 @@ bool LoopDetector::searchWindow(std::set<LocalMapPair>& tried, LoopSearchResult&
 LoopSearchResult LoopDetector::searchLowDriftWindow() {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   StageClock clock;
-  const std::vector<Pose> T_map_scan = placeScans();
+  const ScanPoses T_map_scan = placeScans();
   close(retroactive_.searchLowDriftWindow(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan,
         result);
   clock.stage("retroactive");
@@ -146,10 +211,9 @@ LoopSearchResult LoopDetector::searchLowDriftWindow() {
 
 /// As many as may be at a time. @return how many were tried.
 std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
-                                const std::vector<Pose>& T_map_scan,
-                                LoopSearchResult& result) const {
+                                const ScanPoses& T_map_scan, LoopSearchResult& result) const {
   const auto placed = [&](LocalMapId id) {
-    return placeByGraph(*maps_[id.value], T_map_scan, retroactive_closer_.association());
+    return placeByGraph(*mapOf(id), T_map_scan, retroactive_closer_.association());
   };
   const PriorOf priors = priorsOf(T_map_scan);
   std::size_t done = 0;
@@ -170,6 +234,23 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
   for (const LoopEdge& edge : correction->loops)
     if (edge.state != LoopState::rejected)
       closed_.insert({edge.loop.source_map, edge.loop.target_map});
+  const SessionGroups groups(correction->loops);
+  searchAgainWhatWasJoined(groups);
+  groups_ = groups;
+}
+
+/// From the first map on of the first session that lies in another map than before.
+void LoopDetector::searchAgainWhatWasJoined(const SessionGroups& groups) {
+  for (const SessionId session : order_.sessions()) {
+    if (groups.of(session) == groups_.of(session)) continue;
+    const std::size_t first = order_.begin(session);
+    if (first == 0)
+      searched_.reset();
+    else if (searched_ && order_[*searched_] >= first)
+      searched_ = maps_[first - 1]->id;
+    tried_.clear();
+    return;
+  }
 }
 
 bool LoopDetector::newestIsClosed() const {
@@ -177,21 +258,22 @@ bool LoopDetector::newestIsClosed() const {
                      [&](const LocalMapPair& pair) { return pair.first == maps_.back()->id; });
 }
 
-/// T_map_scan of all scans of the maps, by number: as the newest correction has them, those after
-/// it as it carries them along.
-std::vector<Pose> LoopDetector::placeScans() const {
+/// T_map_scan of all scans of the maps: as the newest correction has them, those after it as it
+/// carries them along.
+ScanPoses LoopDetector::placeScans() const {
   std::vector<Pose> T_map_scan;
   if (correction_) T_map_scan = correction_->T_map_scan;
-  const Pose T_map_odom = correction_ ? correction_->T_map_odom : Pose::identity();
   for (const LocalMapPtr& map : maps_)
     for (const SubmapPtr& submap : map->submaps) {
-      if (submap->lastScan().value < T_map_scan.size()) continue;
+      if (scans_[submap->lastScan()] < T_map_scan.size()) continue;
+      const bool is_carried = correction_ && correction_->session == map->id.session;
+      const Pose T_map_odom = is_carried ? correction_->T_map_odom : Pose::identity();
       const Pose T_map_submap = T_map_odom * submap->T_odom_submap;
-      for (std::size_t i = T_map_scan.size() - submap->first_scan.value;
+      for (std::size_t i = T_map_scan.size() - scans_[submap->first_scan];
            i < submap->T_submap_scan.size(); ++i)
         T_map_scan.push_back(i == 0 ? T_map_submap : T_map_submap * submap->T_submap_scan[i]);
     }
-  return T_map_scan;
+  return {std::move(T_map_scan), scans_};
 }
 
 }  // namespace revisit_slam

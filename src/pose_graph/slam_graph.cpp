@@ -2,8 +2,6 @@
 #include "revisit_slam/pose_graph/slam_graph.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "revisit_slam/pose_graph/solver.h"
@@ -16,10 +14,30 @@ void SlamGraph::reconfigure(const BackEndConfig& config) {
 }
 
 void SlamGraph::add(const GraphNode& node) {
-  if (nodeOfScan(node.id).value != nodes_.size())
-    throw std::invalid_argument("scan " + std::to_string(node.id.value) + " cannot follow " +
-                                std::to_string(nodes_.size()) + " nodes");
+  if (!nodes_.empty() && nodes_.back().id.session != node.id.session) beginSession();
+  scans_.append(node.id);
   nodes_.push_back(node);
+}
+
+/// Its odometry begins a map of its own. Those before stay where they are.
+void SlamGraph::beginSession() {
+  optimised_ = poses();
+  T_map_odom_ = Pose::identity();
+}
+
+void SlamGraph::addOptimised(const std::vector<GraphNode>& nodes,
+                             const std::vector<Pose>& T_map_scan,
+                             const std::vector<LoopEdge>& loops) {
+  for (const GraphNode& node : nodes) add(node);
+  optimised_ = poses();
+  std::copy(T_map_scan.begin(), T_map_scan.end(),
+            optimised_.end() - static_cast<std::ptrdiff_t>(nodes.size()));
+  T_map_odom_ = optimised_.back() * nodes_.back().T_odom_base.inverse();
+  for (LoopEdge edge : loops) {
+    edge.id = LoopId{static_cast<std::uint32_t>(loops_.size())};
+    loops_.push_back(edge);
+  }
+  ++changes_;
 }
 
 Pose SlamGraph::pose(ScanId id) const {
@@ -48,7 +66,7 @@ SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   for (std::size_t i = 0; i < nodes; ++i) {
     // Without loops nothing is left of what others that are now disabled have done.
     graph.addNode(active.empty() ? nodes_[i].T_odom_base : pose(nodes_[i].id));
-    if (i == 0) continue;
+    if (i == 0 || nodes_[i].id.session != nodes_[i - 1].id.session) continue;
     graph.addFactor(factorOf({nodes_[i - 1].id, nodes_[i].id,
                               nodes_[i - 1].T_odom_base.inverse() * nodes_[i].T_odom_base,
                               nodes_[i].information}));
@@ -99,6 +117,36 @@ std::size_t SlamGraph::setState(const Batch& batch, LoopState from, LoopState to
   return changed;
 }
 
+/// Those of the newest session up to its last, and sessions before it wholly.
+std::size_t SlamGraph::nodesUpTo(ScanId last) const {
+  const SessionId newest = nodes_.back().id.session;
+  return last.session == newest ? scans_[last] + 1 : scans_.begin(newest);
+}
+
+/// New loops between sessions that no others tie: the first of them says where the later session
+/// lies in the map of the earlier one.
+void SlamGraph::joinSessions(const Batch& batch) {
+  if (scans_.sessions().size() < 2) return;
+  std::vector<LoopEdge> others = loops_;
+  for (std::size_t i = batch.first; i < batch.end; ++i) others[i].state = LoopState::rejected;
+  SessionGroups groups(others);
+  for (std::size_t i = batch.first; i < batch.end; ++i) {
+    const Constraint& loop = loops_[i].loop.constraint;
+    const SessionId from = groups.of(loop.from.session), to = groups.of(loop.to.session);
+    if (from == to || loops_[i].state != LoopState::active) continue;
+    const Pose T_from_to = pose(loop.from) * loop.T_from_to * pose(loop.to).inverse();
+    moveGroup(groups, std::max(from, to), from < to ? T_from_to : T_from_to.inverse());
+    groups.join(from, to);
+  }
+}
+
+void SlamGraph::moveGroup(const SessionGroups& groups, SessionId group, const Pose& T_new_map) {
+  optimised_ = poses();
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (groups.of(nodes_[i].id.session) == group) optimised_[i] = T_new_map * optimised_[i];
+  if (groups.of(nodes_.back().id.session) == group) T_map_odom_ = T_new_map * T_map_odom_;
+}
+
 bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loops) {
   const Eigen::Vector3d end_before = pose(last).translation;
   const bool accepted = tryBatch(last, append(new_loops), last_solution_);
@@ -110,7 +158,10 @@ bool SlamGraph::optimise(ScanId last, const std::vector<LoopConstraint>& new_loo
 /// Optimises with the active loops, among them those of the batch, and takes the new poses, or else
 /// rejects the batch.
 bool SlamGraph::tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution) {
-  const LoopGraph graph = graphUpTo(nodeOfScan(last).value + 1);
+  const std::vector<Pose> optimised_before = optimised_;
+  const Pose T_map_odom_before = T_map_odom_;
+  joinSessions(batch);
+  const LoopGraph graph = graphUpTo(nodesUpTo(last));
   solution = solve(graph.graph, config_.solver);
   std::size_t added = 0;
   for (const auto& [loop, factor] : graph.loops) {
@@ -125,6 +176,8 @@ bool SlamGraph::tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution) 
     take(solution, graph.loops);
     if (added > 0) ++changes_;
   } else if (added > 0) {
+    optimised_ = optimised_before;
+    T_map_odom_ = T_map_odom_before;
     setState(batch, LoopState::active, LoopState::rejected);
     batch.tried_at = changes_;
     rejected_.push_back(batch);
@@ -174,7 +227,8 @@ void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>&
     loops_[loop].weight = solution.factors[factor.value].weight;
   }
   const GraphNode& end = nodes_[solution.poses.size() - 1];
-  T_map_odom_ = solution.poses.back() * end.T_odom_base.inverse();
+  if (end.id.session == nodes_.back().id.session)
+    T_map_odom_ = solution.poses.back() * end.T_odom_base.inverse();
   optimised_ = std::move(solution.poses);
 }
 

@@ -15,7 +15,7 @@ constexpr char kKind[] = "RSGRAPH\n";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kNoLoop = ~std::uint32_t{0};
 
-enum Type : std::uint32_t { kSubmap = 1, kScans, kOptimised, kTrajectory, kParameters };
+enum Type : std::uint32_t { kSubmap = 1, kScans, kOptimised, kTrajectory, kParameters, kTakenOver };
 
 template <typename Element>
 void putCount(const std::vector<Element>& elements, ByteWriter& bytes) {
@@ -58,6 +58,22 @@ LoopConstraint getLoop(ByteReader& bytes) {
   loop.fitness = bytes.get<double>();
   loop.inliers = bytes.get<std::int32_t>();
   return loop;
+}
+
+void put(const GraphOptimised::Decision& decision, ByteWriter& bytes) {
+  bytes.put(static_cast<std::uint8_t>(decision.state));
+  bytes.put(decision.chi2_before);
+  bytes.put(decision.chi2_after);
+  bytes.put(decision.weight);
+}
+
+GraphOptimised::Decision getDecision(ByteReader& bytes) {
+  GraphOptimised::Decision decision{};
+  decision.state = choice(bytes, LoopState::disabled);
+  decision.chi2_before = bytes.get<double>();
+  decision.chi2_after = bytes.get<double>();
+  decision.weight = bytes.get<double>();
+  return decision;
 }
 
 Type put(const SubmapClosed& submap, ByteWriter& bytes) {
@@ -121,12 +137,7 @@ Type put(const GraphOptimised& optimised, ByteWriter& bytes) {
   for (const LoopConstraint& loop : optimised.constraints) put(loop, bytes);
   putCount(optimised.T_map_keypose, bytes);
   for (const Pose& T : optimised.T_map_keypose) bytes.put(T);
-  for (const GraphOptimised::Decision& decision : optimised.decisions) {
-    bytes.put(static_cast<std::uint8_t>(decision.state));
-    bytes.put(decision.chi2_before);
-    bytes.put(decision.chi2_after);
-    bytes.put(decision.weight);
-  }
+  for (const GraphOptimised::Decision& decision : optimised.decisions) put(decision, bytes);
   return kOptimised;
 }
 
@@ -141,13 +152,7 @@ GraphOptimised getOptimised(ByteReader& bytes) {
     optimised.constraints.push_back(getLoop(bytes));
   for (auto n = bytes.get<std::uint32_t>(); n > 0; --n)
     optimised.T_map_keypose.push_back(bytes.pose());
-  while (bytes.left() > 0) {
-    GraphOptimised::Decision& decision = optimised.decisions.emplace_back();
-    decision.state = choice(bytes, LoopState::disabled);
-    decision.chi2_before = bytes.get<double>();
-    decision.chi2_after = bytes.get<double>();
-    decision.weight = bytes.get<double>();
-  }
+  while (bytes.left() > 0) optimised.decisions.push_back(getDecision(bytes));
   return optimised;
 }
 
@@ -189,6 +194,28 @@ ParametersChanged getParameters(ByteReader& bytes) {
   return changed;
 }
 
+Type put(const SessionsTakenOver& taken, ByteWriter& bytes) {
+  putCount(taken.loops, bytes);
+  for (const LoopEdge& edge : taken.loops) {
+    put(edge.loop, bytes);
+    put(decisionOf(edge), bytes);
+  }
+  for (const Pose& T : taken.T_map_scan) bytes.put(T);
+  return kTakenOver;
+}
+
+SessionsTakenOver getTakenOver(ByteReader& bytes) {
+  SessionsTakenOver taken;
+  for (auto n = bytes.get<std::uint32_t>(); n > 0; --n) {
+    LoopEdge& edge = taken.loops.emplace_back();
+    edge.id = LoopId{static_cast<std::uint32_t>(taken.loops.size() - 1)};
+    edge.loop = getLoop(bytes);
+    decide(getDecision(bytes), edge);
+  }
+  while (bytes.left() > 0) taken.T_map_scan.push_back(bytes.pose());
+  return taken;
+}
+
 std::optional<LogEntry> decode(const Record& record) {
   ByteReader bytes(record.payload);
   switch (record.type) {
@@ -202,6 +229,8 @@ std::optional<LogEntry> decode(const Record& record) {
       return getTrajectory(bytes);
     case kParameters:
       return getParameters(bytes);
+    case kTakenOver:
+      return getTakenOver(bytes);
     default:
       return std::nullopt;  // of a later version, which says that older ones can do without
   }
@@ -214,6 +243,17 @@ SubmapClosed closedOf(const Submap& submap, const Points& detail_submap) {
                       submap.lastScan(), submap.stamps.front(), {}};
   for (const Eigen::Vector3f& point : detail_submap) closed.box_submap.extend(point);
   return closed;
+}
+
+GraphOptimised::Decision decisionOf(const LoopEdge& edge) {
+  return {edge.state, edge.chi2_before, edge.chi2_after, edge.weight};
+}
+
+void decide(const GraphOptimised::Decision& decision, LoopEdge& edge) {
+  edge.state = decision.state;
+  edge.chi2_before = decision.chi2_before;
+  edge.chi2_after = decision.chi2_after;
+  edge.weight = decision.weight;
 }
 
 bool belongsToDrive(const LogEntry& entry) {

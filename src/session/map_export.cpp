@@ -21,6 +21,7 @@
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/mapping/point_map.h"
 #include "revisit_slam/session/stored_submap.h"
+#include "revisit_slam/types/session_offsets.h"
 
 namespace revisit_slam {
 namespace {
@@ -75,7 +76,8 @@ class MapExport {
         folder_(folder),
         config_(config),
         progress_(progress),
-        parameters_(storedParameters(session.info)) {}
+        parameters_(storedParameters(session.info)),
+        scans_(scansOf(session.graph)) {}
 
   std::vector<std::string> run() {
     makeFolder(folder_);
@@ -91,7 +93,7 @@ class MapExport {
  private:
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
   const Pose& placeOf(const SubmapClosed& submap) const {
-    return session_.graph.T_map_scan.at(submap.first_scan.value);
+    return session_.graph.T_map_scan.at(scans_[submap.first_scan]);
   }
   void tell(double share) const {
     if (progress_) progress_(share);
@@ -101,6 +103,7 @@ class MapExport {
     const Trajectory trajectory = trajectoryOf(session_.graph);
     writeTum(file("trajectory.tum"), trajectory);
     writeKitti(file("trajectory_kitti.txt"), trajectory);
+    if (scans_.sessions().size() > 1) writeTrajectoryOfEach(trajectory);
     writeGraph(file("pose_graph.g2o"), session_.graph);
     writeLoops(file("loop_closures.csv"), session_.graph);
     makeFolder(file("submaps"));
@@ -108,10 +111,19 @@ class MapExport {
     tell(0.1);
   }
 
+  void writeTrajectoryOfEach(const Trajectory& trajectory) const {
+    for (const SessionId session : scans_.sessions()) {
+      const auto begin = trajectory.begin() + static_cast<std::ptrdiff_t>(scans_.begin(session)),
+                 end = trajectory.begin() + static_cast<std::ptrdiff_t>(scans_.end(session));
+      writeTum(file("trajectory_" + std::to_string(session.value) + ".tum"),
+               Trajectory(begin, end));
+    }
+  }
+
   /// Which scans a submap has, and where it lies.
   void writeTable() const {
     std::ostringstream table;
-    table << "submap,local_map,first_scan,last_scan,stamp,x,y,z,qx,qy,qz,qw\n";
+    table << "submap,local_map,first_scan,last_scan,stamp,x,y,z,qx,qy,qz,qw,session\n";
     for (const SubmapClosed& submap : session_.submaps) {
       const Eigen::Vector3d& t = placeOf(submap).translation;
       const Eigen::Quaterniond& q = placeOf(submap).rotation;
@@ -119,8 +131,8 @@ class MapExport {
       std::snprintf(pose, sizeof(pose), "%.6f,%.6f,%.6f,%.9f,%.9f,%.9f,%.9f", t.x(), t.y(), t.z(),
                     q.x(), q.y(), q.z(), q.w());
       table << submap.id.value << "," << submap.local_map.value << "," << submap.first_scan.value
-            << "," << submap.last_scan.value << "," << stampText(submap.stamp) << "," << pose
-            << "\n";
+            << "," << submap.last_scan.value << "," << stampText(submap.stamp) << "," << pose << ","
+            << submap.id.session.value << "\n";
     }
     writeWholeText(file("submaps/submaps.csv"), table.str());
   }
@@ -128,7 +140,7 @@ class MapExport {
   /// What is wanted of a submap; nothing, and a notice, where its file cannot be used.
   MapUpdate read(const SubmapClosed& submap, SubmapRecord wanted) {
     try {
-      return readSubmap(submapFile(session_.folder, submap.id), {wanted});
+      return readSubmap(submapFile(session_.folder, submap.id, session_.info.id), {wanted});
     } catch (const std::runtime_error& error) {
       note(std::string(error.what()) + "; the map is without submap " +
            std::to_string(submap.id.value));
@@ -143,12 +155,13 @@ class MapExport {
 
   void writeSubmaps() {
     makeFolder(file("submaps"));
+    std::size_t done = 0;
     for (const SubmapClosed& submap : session_.submaps) {
-      tell(0.1 + 0.2 * submap.id.value / static_cast<double>(session_.submaps.size()));
+      tell(0.1 + 0.2 * static_cast<double>(done++) / static_cast<double>(session_.submaps.size()));
       const Points points = read(submap, SubmapRecord::detail).detail_submap;
-      char name[32];
-      std::snprintf(name, sizeof(name), "submaps/%06u.pcd", submap.id.value);
-      if (!points.empty()) writePcd(file(name), points);
+      const std::string name =
+          std::filesystem::path(submapFile("", submap.id, session_.info.id)).stem().string();
+      if (!points.empty()) writePcd(file("submaps/" + name + ".pcd"), points);
     }
   }
 
@@ -265,6 +278,7 @@ class MapExport {
   const ExportConfig& config_;
   const ExportProgress& progress_;
   StoredParameters parameters_;
+  const SessionOffsets<ScanId> scans_;
   std::vector<std::string> notices_;
 };
 
@@ -272,19 +286,32 @@ class MapExport {
 
 std::vector<std::string> exportSession(const Session& session, const std::string& folder,
                                        const ExportConfig& config, const ExportProgress& progress) {
-  return MapExport(session, folder, config, progress).run();
+  const std::vector<SessionId> all = sessionsOf(session);
+  if (all.size() < 2) return MapExport(session, folder, config, progress).run();
+  const Session tied = tiedTo(all.front(), session);
+  std::vector<std::string> notices = MapExport(tied, folder, config, progress).run();
+  const std::vector<SessionId> left = sessionsOf(tied);
+  for (const SessionId id : all)
+    if (std::find(left.begin(), left.end(), id) == left.end())
+      notices.push_back("session " + std::to_string(id.value) +
+                        " is left out: no loop ties it to session " +
+                        std::to_string(all.front().value));
+  return notices;
 }
 
 MapConsistency consistencyOf(const Session& session) {
+  if (sessionsOf(session).size() > 1) return {};  // their stamps are in no order
   ConsistencyConfig config;
   config.cell_size = kConsistencyCell;
+  const SessionOffsets<ScanId> scans = scansOf(session.graph);
   ConsistencyBuilder builder(findRevisits(trajectoryOf(session.graph), config), config);
   for (const SubmapClosed& submap : session.submaps)
     if (builder.wants(submap.stamp))
       builder.insert(
           submap.stamp,
-          readSubmap(submapFile(session.folder, submap.id), {SubmapRecord::detail}).detail_submap,
-          session.graph.T_map_scan.at(submap.first_scan.value));
+          readSubmap(submapFile(session.folder, submap.id, session.info.id), {SubmapRecord::detail})
+              .detail_submap,
+          session.graph.T_map_scan.at(scans[submap.first_scan]));
   return builder.finish();
 }
 

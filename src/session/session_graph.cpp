@@ -18,16 +18,18 @@ namespace {
 PoseGraph poseGraphOf(const SessionGraph& session) {
   const auto is_active = [](const LoopEdge& edge) { return edge.state == LoopState::active; };
   const bool has_loops = std::any_of(session.loops.begin(), session.loops.end(), is_active);
+  const SessionOffsets<ScanId> scans = scansOf(session);
+  const auto nodeOf = [&](ScanId scan) { return NodeId{static_cast<std::uint32_t>(scans[scan])}; };
   PoseGraph graph;
   const auto relate = [&](const Constraint& constraint) {
-    graph.addFactor(RelativePoseFactor{{NodeId{constraint.from.value}, NodeId{constraint.to.value}},
+    graph.addFactor(RelativePoseFactor{{nodeOf(constraint.from), nodeOf(constraint.to)},
                                        constraint.T_from_to,
                                        constraint.information});
   };
   const std::vector<GraphNode>& nodes = session.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     graph.addNode(has_loops ? session.T_map_scan[i] : nodes[i].T_odom_base);
-    if (i == 0) continue;
+    if (i == 0 || nodes[i].id.session != nodes[i - 1].id.session) continue;
     relate({nodes[i - 1].id, nodes[i].id, nodes[i - 1].T_odom_base.inverse() * nodes[i].T_odom_base,
             nodes[i].information});
   }
@@ -37,6 +39,12 @@ PoseGraph poseGraphOf(const SessionGraph& session) {
 }
 
 }  // namespace
+
+SessionOffsets<ScanId> scansOf(const SessionGraph& graph) {
+  SessionOffsets<ScanId> scans;
+  for (const GraphNode& node : graph.nodes) scans.append(node.id);
+  return scans;
+}
 
 SessionGraph graphOf(const SlamGraph& graph) {
   return {graph.nodes(), graph.poses(), graph.T_map_odom(), graph.loops()};
@@ -57,10 +65,11 @@ void writeGraph(const std::string& path, const SessionGraph& graph) {
 }
 
 void writeLoops(const std::string& path, const SessionGraph& graph) {
+  const SessionOffsets<ScanId> scans = scansOf(graph);
   std::ostringstream table;
   table << "loop,state,origin,target_map,source_map,target_submap,source_submap,target_scan,"
            "source_scan,target_stamp,source_stamp,x,y,z,qx,qy,qz,qw,fitness,inliers,"
-           "residual_before,residual_after,weight\n";
+           "residual_before,residual_after,weight,target_session,source_session\n";
   for (const LoopEdge& edge : graph.loops) {
     const LoopConstraint& loop = edge.loop;
     const auto& [from, to, T, information] = loop.constraint;
@@ -73,8 +82,9 @@ void writeLoops(const std::string& path, const SessionGraph& graph) {
     table << edge.id.value << "," << toString(edge.state) << "," << toString(loop.origin) << ","
           << loop.target_map.value << "," << loop.source_map.value << "," << loop.target.value
           << "," << loop.source.value << "," << from.value << "," << to.value << ","
-          << stampText(graph.nodes[from.value].stamp) << ","
-          << stampText(graph.nodes[to.value].stamp) << "," << numbers << "\n";
+          << stampText(graph.nodes[scans[from]].stamp) << ","
+          << stampText(graph.nodes[scans[to]].stamp) << "," << numbers << ","
+          << loop.target.session.value << "," << loop.source.session.value << "\n";
   }
   writeWholeText(path, table.str());
 }

@@ -13,7 +13,8 @@
 namespace revisit_slam {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;              // the newest
+constexpr int kFormatOfOneSession = 2;  // which older software can read
 
 /// Where a parameter is in nested maps.
 YAML::Node nested(const std::vector<NamedText>& parameters) {
@@ -57,7 +58,7 @@ void assignKnown(const std::vector<Parameter>& parameters, const std::vector<Nam
 
 void writeSessionInfo(const std::string& path, const SessionInfo& info) {
   YAML::Node session;
-  session["format"] = kFormat;
+  session["format"] = info.joined.empty() ? kFormatOfOneSession : kFormat;
   session["software"] = "revisit_slam " + info.software;
   session["state"] = info.closed ? "closed" : "open";
   session["session"] = info.id.value;
@@ -67,6 +68,14 @@ void writeSessionInfo(const std::string& path, const SessionInfo& info) {
   session["frames"]["base"] = info.base_frame;
   session["gauge"] = "first scan";
   session["sensor"] = info.sensor;
+  for (const JoinedSession& joined : info.joined) {
+    YAML::Node entry;
+    entry["session"] = joined.id.value;
+    entry["start"] = joined.start.nanoseconds;
+    entry["sensor"] = joined.sensor;
+    entry["from"] = joined.from;
+    session["joined"].push_back(entry);
+  }
   session["parameters"] = nested(info.parameters);
   writeWholeText(path, YAML::Dump(session) + "\n");
 }
@@ -89,6 +98,11 @@ SessionInfo readSessionInfo(const std::string& path) {
     info.odom_frame = session["frames"]["odom"].as<std::string>();
     info.base_frame = session["frames"]["base"].as<std::string>();
     info.sensor = session["sensor"].as<std::string>();
+    for (const YAML::Node& entry : session["joined"])
+      info.joined.push_back({SessionId{entry["session"].as<std::uint32_t>()},
+                             {entry["start"].as<std::int64_t>()},
+                             entry["sensor"].as<std::string>(),
+                             entry["from"].as<std::string>()});
     info.parameters = flattened(session["parameters"]);
   } catch (const std::exception& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());

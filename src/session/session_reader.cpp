@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/types/session_groups.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -33,26 +35,33 @@ class LogReplay {
   }
 
  private:
-  bool isThere(ScanId scan) const {
-    return scan.value < graph.nodes.size() && scan.session == graph.nodes.front().id.session;
-  }
+  bool isThere(ScanId scan) const { return scans_.contains(scan); }
 
   void add(const SubmapClosed& submap) {
-    const std::uint32_t first = submaps.empty() ? 0 : submaps.back().last_scan.value + 1;
-    if (submap.id.value != submaps.size() || submap.first_scan.value != first ||
-        submap.last_scan.value < first || !isThere(submap.first_scan) || !isThere(submap.last_scan))
+    const SessionId session = submap.id.session;
+    const bool begins = submaps.empty() || submaps.back().id.session != session;
+    const ScanId first{begins ? 0 : submaps.back().last_scan.value + 1, session};
+    if (submap.first_scan != first || submap.last_scan < first ||
+        submap.last_scan.session != session || !isThere(submap.first_scan) ||
+        !isThere(submap.last_scan))
       throw std::runtime_error("submap " + std::to_string(submap.id.value) +
                                " does not follow what comes before");
+    append(submap.id, submap_order_);
     submaps.push_back(submap);
+  }
+
+  template <typename Id>
+  static void append(Id id, SessionOffsets<Id>& order) {
+    try {
+      order.append(id);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(error.what());
+    }
   }
 
   void add(const ScansAdded& scans) {
     for (const GraphNode& node : scans.nodes) {
-      const bool is_first = graph.nodes.empty();
-      if (node.id.value != graph.nodes.size() ||
-          (!is_first && node.id.session != graph.nodes.front().id.session))
-        throw std::runtime_error("scan " + std::to_string(node.id.value) +
-                                 " does not follow what comes before");
+      append(node.id, scans_);
       graph.nodes.push_back(node);
       if (with_solver_) solver_.add(node);
     }
@@ -77,13 +86,8 @@ class LogReplay {
       edge.loop = loop;
       graph.loops.push_back(edge);
     }
-    for (std::size_t i = 0; i < graph.loops.size(); ++i) {
-      const GraphOptimised::Decision& decision = optimised.decisions[i];
-      graph.loops[i].state = decision.state;
-      graph.loops[i].chi2_before = decision.chi2_before;
-      graph.loops[i].chi2_after = decision.chi2_after;
-      graph.loops[i].weight = decision.weight;
-    }
+    for (std::size_t i = 0; i < graph.loops.size(); ++i)
+      decide(optimised.decisions[i], graph.loops[i]);
     graph.T_map_odom = optimised.T_map_odom;
     T_map_keypose_ = optimised.T_map_keypose;
     last_scan_ = optimised.last_scan;
@@ -102,9 +106,31 @@ class LogReplay {
         return;
     }
     T_map_scan_.clear();
-    for (std::uint32_t i = 0; i <= last_scan_.value; ++i)
-      T_map_scan_.push_back(solver_.pose(ScanId{i, last_scan_.session}));
+    for (std::size_t i = 0; i <= scans_[last_scan_]; ++i)
+      T_map_scan_.push_back(solver_.pose(graph.nodes[i].id));
     exact_version_ = version_;
+  }
+
+  /// Nothing was known before it.
+  void add(const SessionsTakenOver& taken) {
+    const auto is_beyond = [&](const LoopEdge& edge) {
+      const ScanId from = edge.loop.constraint.from, to = edge.loop.constraint.to;
+      return from == to || !isThere(from) || !isThere(to) ||
+             std::max(scans_[from], scans_[to]) >= taken.T_map_scan.size();
+    };
+    if (taken.T_map_scan.empty() || taken.T_map_scan.size() > graph.nodes.size() ||
+        !graph.loops.empty() || std::any_of(taken.loops.begin(), taken.loops.end(), is_beyond))
+      throw std::runtime_error("the sessions taken over do not follow what comes before");
+    graph.loops = taken.loops;
+    T_map_scan_ = taken.T_map_scan;
+    const GraphNode& last = graph.nodes[taken.T_map_scan.size() - 1];
+    if (last.id.session == graph.nodes.back().id.session)
+      graph.T_map_odom = taken.T_map_scan.back() * last.T_odom_base.inverse();
+    if (!with_solver_) return;
+    const auto others = graph.nodes.begin() + static_cast<std::ptrdiff_t>(taken.T_map_scan.size());
+    solver_ = SlamGraph(backend_);
+    solver_.addOptimised({graph.nodes.begin(), others}, taken.T_map_scan, taken.loops);
+    std::for_each(others, graph.nodes.end(), [&](const GraphNode& node) { solver_.add(node); });
   }
 
   void add(const TrajectoryWritten& trajectory) {
@@ -126,13 +152,12 @@ class LogReplay {
   std::vector<Pose> carriedByKeyposes() const {
     std::vector<Pose> T_map_scan;
     for (std::size_t k = 0; k < T_map_keypose_.size(); ++k) {
-      const Pose T_map_odom =
-          T_map_keypose_[k] * graph.nodes[submaps[k].first_scan.value].T_odom_base.inverse();
-      for (std::uint32_t i = submaps[k].first_scan.value;
-           i <= std::min(submaps[k].last_scan.value, last_scan_.value); ++i)
-        T_map_scan.push_back(i == submaps[k].first_scan.value
-                                 ? T_map_keypose_[k]
-                                 : T_map_odom * graph.nodes[i].T_odom_base);
+      const std::size_t first = scans_[submaps[k].first_scan];
+      const Pose T_map_odom = T_map_keypose_[k] * graph.nodes[first].T_odom_base.inverse();
+      for (std::size_t i = first; i <= std::min(scans_[submaps[k].last_scan], scans_[last_scan_]);
+           ++i)
+        T_map_scan.push_back(i == first ? T_map_keypose_[k]
+                                        : T_map_odom * graph.nodes[i].T_odom_base);
     }
     return T_map_scan;
   }
@@ -143,6 +168,8 @@ class LogReplay {
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_
   ScanId last_scan_;
   std::vector<Pose> T_map_keypose_, T_map_scan_;
+  SessionOffsets<ScanId> scans_;           // of graph.nodes
+  SessionOffsets<SubmapId> submap_order_;  // of submaps
 };
 
 /// Up to the first entry that does not follow those before.
@@ -171,13 +198,41 @@ GraphLog readLogs(const std::string& folder, std::vector<std::string>& notices) 
   return all;
 }
 
-std::string numbered(const std::string& folder, const char* format, std::uint32_t number) {
+template <typename Id>
+std::string numbered(const std::string& folder, int digits, Id id, SessionId owner) {
   char name[32];
-  std::snprintf(name, sizeof(name), format, number);
-  return folder + name;
+  std::snprintf(name, sizeof(name), "%0*u.rsm", digits, id.value);
+  return folder + (id.session == owner ? "" : std::to_string(id.session.value) + "_") + name;
 }
 
 }  // namespace
+
+Session tiedTo(SessionId session, Session all) {
+  const SessionGroups groups(all.graph.loops);
+  const auto is_tied = [&](SessionId other) { return groups.areTied(session, other); };
+  SessionGraph part;
+  for (std::size_t i = 0; i < all.graph.nodes.size(); ++i) {
+    if (!is_tied(all.graph.nodes[i].id.session)) continue;
+    part.nodes.push_back(all.graph.nodes[i]);
+    part.T_map_scan.push_back(all.graph.T_map_scan[i]);
+  }
+  if (!part.nodes.empty())
+    part.T_map_odom = part.T_map_scan.back() * part.nodes.back().T_odom_base.inverse();
+  for (LoopEdge edge : all.graph.loops) {
+    if (!is_tied(edge.loop.source.session) || !is_tied(edge.loop.target.session)) continue;
+    edge.id.value = static_cast<std::uint32_t>(part.loops.size());
+    part.loops.push_back(edge);
+  }
+  all.graph = std::move(part);
+  all.submaps.erase(std::remove_if(all.submaps.begin(), all.submaps.end(),
+                                   [&](const auto& submap) { return !is_tied(submap.id.session); }),
+                    all.submaps.end());
+  return all;
+}
+
+std::vector<SessionId> sessionsOf(const Session& session) {
+  return scansOf(session.graph).sessions();
+}
 
 StoredParameters storedParameters(const SessionInfo& info) {
   StoredParameters parameters;
@@ -193,12 +248,12 @@ std::string optimisationsFile(const std::string& folder) {
   return folder + "/optimisations.log";
 }
 
-std::string submapFile(const std::string& folder, SubmapId id) {
-  return numbered(folder, "/submaps/%06u.rsm", id.value);
+std::string submapFile(const std::string& folder, SubmapId id, SessionId owner) {
+  return numbered(folder + "/submaps/", 6, id, owner);
 }
 
-std::string localMapFile(const std::string& folder, LocalMapId id) {
-  return numbered(folder, "/local_maps/%04u.rsm", id.value);
+std::string localMapFile(const std::string& folder, LocalMapId id, SessionId owner) {
+  return numbered(folder + "/local_maps/", 4, id, owner);
 }
 
 Session readSession(const std::string& folder, std::vector<std::string>& notices) {

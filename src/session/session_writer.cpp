@@ -102,7 +102,7 @@ void SessionWriter::add(std::vector<GraphNode> scans, const SubmapClosed& closed
   const LogEntry nodes = ScansAdded{std::move(scans)};
   post([this, id, closed, update, nodes] {
     setClosed(false);
-    write(submapFile(target_.folder, id), encodeSubmap(*update));
+    write(submapFile(target_.folder, id, info_.id), encodeSubmap(*update));
     log_->append(encodeEntry(nodes) + encodeEntry(closed));
     log_->sync();
     unwritten_.erase(id);
@@ -110,7 +110,7 @@ void SessionWriter::add(std::vector<GraphNode> scans, const SubmapClosed& closed
 }
 
 void SessionWriter::add(const StoredLocalMap& map) {
-  post([this, map] { write(localMapFile(target_.folder, map.id), encodeLocalMap(map)); });
+  post([this, map] { write(localMapFile(target_.folder, map.id, info_.id), encodeLocalMap(map)); });
 }
 
 void SessionWriter::add(LogEntry entry) {

@@ -27,6 +27,9 @@ ByteWriter head(const Submap& submap) {
   bytes.put(submap.travelled_begin);
   bytes.put(submap.travelled_end);
   bytes.put(submap.T_odom_submap);
+  bytes.put(submap.scale);
+  bytes.put(submap.unsure_begin.weak);
+  bytes.put(submap.unsure_begin.doubt);
   return bytes;
 }
 
@@ -67,6 +70,11 @@ void readHead(ByteReader bytes, Submap& submap) {
   submap.travelled_begin = bytes.get<double>();
   submap.travelled_end = bytes.get<double>();
   submap.T_odom_submap = bytes.pose();
+  if (bytes.left() == 0) return;  // written before these were
+  submap.scale = bytes.get<double>();
+  if (!(submap.scale > 0.0)) throw std::runtime_error("a submap has no scale");
+  submap.unsure_begin.weak = bytes.get<double>();
+  submap.unsure_begin.doubt = bytes.get<double>();
 }
 
 void readTrajectory(ByteReader bytes, Submap& submap) {

@@ -6,14 +6,30 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/slam/map_correction.h"
+
 namespace revisit_slam {
+namespace {
+
+/// With the sessions that were mapped before.
+SlamGraph beginGraph(const BackEndConfig& config, const KnownMapPtr& prior) {
+  SlamGraph graph(config);
+  if (prior) graph.addOptimised(prior->nodes, prior->session.graph.T_map_scan, prior->loops);
+  return graph;
+}
+
+}  // namespace
+
 GraphSession::GraphSession(SessionId id, const SlamConfig& config, Stamp start,
                            const SessionTarget& target, OnCorrection on_correction)
     : id_(id),
       config_(config),
-      graph_(config.backend),
+      graph_(beginGraph(config.backend, target.prior)),
+      scans_before_(graph_.size()),
       on_correction_(std::move(on_correction)),
-      log_(id, config, start, target, graph_) {}
+      log_(id, config, start, target, graph_) {
+  if (scans_before_ > 0) last_optimised_ = graph_.nodes().back().id;
+}
 
 GraphSession::~GraphSession() = default;
 
@@ -44,7 +60,7 @@ void GraphSession::add(const LoopClosures& closures) {
 }
 
 void GraphSession::after(std::size_t scans, std::function<void()> work) {
-  later_.push_back({scans, std::move(work)});
+  later_.push_back({scans_before_ + scans, std::move(work)});
   doWhatIsDue();
 }
 
@@ -81,16 +97,9 @@ void GraphSession::optimise(ScanId last, const std::vector<LoopConstraint>& loop
 }
 
 void GraphSession::answer(ScanId last, std::uint32_t request) {
-  MapCorrection correction;
-  correction.session = id_;
+  MapCorrection correction = correctionOf(graph_, last);
   correction.version = ++version_;
   correction.request = request;
-  for (std::uint32_t i = 0; i <= last.value; ++i)
-    correction.T_map_scan.push_back(graph_.pose({i, id_}));
-  correction.T_map_odom = graph_.T_map_odom();
-  correction.loops = graph_.loops();
-  correction.moved_end = graph_.movedEnd();
-  correction.seconds = graph_.lastSolution().seconds;
   on_correction_(std::make_shared<const MapCorrection>(std::move(correction)));
 }
 
@@ -154,7 +163,10 @@ void GraphSession::writeSummary() const {
   if (!graph_.nodes().empty()) {
     TravelledDistance distance;
     distance.start(graph_.nodes().front().T_odom_base.translation);
-    for (const GraphNode& node : graph_.nodes()) distance.go(node.T_odom_base.translation);
+    for (const GraphNode& node : graph_.nodes()) {
+      if (node.id.value == 0) distance.goOnFrom(node.T_odom_base.translation);
+      distance.go(node.T_odom_base.translation);
+    }
     summary.path_length = distance.metres();
   }
   judge(consistencyOf(snapshot()), summary);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <utility>
 
 namespace revisit_slam {
@@ -13,6 +14,24 @@ LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs)
 
 void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   detector_.reconfigure(loops, retroactive);
+}
+
+void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
+  auto known = std::make_shared<MapCorrection>();
+  for (const KnownMap* map : maps) {
+    for (std::size_t i = 0; i < map->maps.size(); ++i)
+      detector_.addSearched(map->maps[i], map->places[i]);
+    const std::vector<Pose>& T_map_scan = map->session.graph.T_map_scan;
+    known->T_map_scan.insert(known->T_map_scan.end(), T_map_scan.begin(), T_map_scan.end());
+    known->loops.insert(known->loops.end(), map->loops.begin(), map->loops.end());
+    known->session = map->nodes.back().id.session;
+  }
+  detector_.correct(known);
+}
+
+void LoopClosing::searchAcrossSessions(LocalMapId map, SessionId first) {
+  work_.emplace_back(Across{map, first});
+  advance();
 }
 
 void LoopClosing::add(const LocalMapPtr& map) {
@@ -42,7 +61,7 @@ void LoopClosing::goOn() {
 }
 
 std::size_t LoopClosing::waiting() const {
-  const auto is_map = [](const Work& work) { return std::holds_alternative<LocalMapPtr>(work); };
+  const auto is_map = [](const Work& work) { return !std::holds_alternative<MapsClosed>(work); };
   return static_cast<std::size_t>(std::count_if(work_.begin(), work_.end(), is_map)) +
          (awaited_ ? 1 : 0);
 }
@@ -69,6 +88,11 @@ void LoopClosing::begin(const LocalMapPtr& map) {
   const bool is_closed = !result.accepted().empty();
   hand(result, [this] { searchAfterAnswer(); });
   if (!is_closed) hand(detector_.searchLowDriftWindow(), [] {});
+}
+
+void LoopClosing::begin(const Across& across) {
+  hand(detector_.searchAcrossSessions(across.map, across.first),
+       [this, across] { hand(detector_.searchRetroactively(across.map), [] {}); });
 }
 
 /// What the graph has rejected is no closure.

@@ -30,13 +30,15 @@ double deviationOf(const InformedScan& informed) {
 
 }  // namespace
 
-MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
+MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs,
+                       KnownMapPtr prior)
     : mapping_(config.mapping),
       occupancy_(config.occupancy),
       largest_voxel_size_(config.odometry.map.voxel_size),
       building_(building),
       searching_(searching),
       outputs_(std::move(outputs)),
+      prior_(std::move(prior)),
       arena_(config.background.threads),
       config_(config) {}
 
@@ -129,8 +131,10 @@ void MapManager::giveUpWaiting() {
 
 void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&)>& work) {
   searching_.post([this, session, work] {
-    const auto entry = closing_.try_emplace(session, config_, outputs_.loops).first;
-    arena_.execute([&] { work(entry->second); });
+    const auto [entry, begins] = closing_.try_emplace(session, config_, outputs_.loops);
+    if (begins && prior_ && session == nextSession(prior_->session.info))
+      entry->second.goOnFrom({prior_.get()});
+    arena_.execute([&, &closing = entry->second] { work(closing); });
     tidyUp();
   });
 }

@@ -6,19 +6,25 @@
 #include <utility>
 
 #include "revisit_slam/session/stored_submap.h"
+#include "revisit_slam/slam/map_correction.h"
 
 namespace revisit_slam {
 namespace {
 
-SessionInfo infoOf(SessionId id, SlamConfig config, Stamp start, const std::string& sensor) {
+SessionInfo infoOf(SessionId id, SlamConfig config, Stamp start, const SessionTarget& target) {
   SessionInfo info;
+  if (target.prior) {
+    info = infoOfAll({target.prior.get()});
+    info.joined.push_back({id, start, target.sensor, ""});
+  } else {
+    info.id = id;
+    info.start = start;
+    info.sensor = target.sensor;
+  }
   info.software = softwareVersion();
-  info.id = id;
-  info.start = start;
   info.map_frame = config.frames.map;
   info.odom_frame = config.frames.odom;
   info.base_frame = config.frames.base;
-  info.sensor = sensor;
   info.parameters = textOf(parametersOf(config));
   return info;
 }
@@ -35,9 +41,23 @@ SessionLog::SessionLog(SessionId id, const SlamConfig& config, Stamp start,
                        const SessionTarget& target, const SlamGraph& graph)
     : graph_(graph),
       niceness_(config.background.niceness),
-      info_(infoOf(id, config, start, target.sensor)),
-      target_(target) {
-  if (!target_.folder.empty()) writer_ = std::make_unique<SessionWriter>(target_, info_, niceness_);
+      target_(target),
+      info_(infoOf(id, config, start, target)),
+      scans_before_(graph.size()),
+      logged_scans_(graph.size()) {
+  if (target_.prior)
+    for (const SubmapClosed& closed : target_.prior->session.submaps)
+      closed_before_.push_back(target_.prior->numbers(closed));
+  if (target_.folder.empty()) return;
+  writer_ = std::make_unique<SessionWriter>(target_, info_, niceness_);
+  writePrior(*writer_);
+}
+
+void SessionLog::writePrior(SessionWriter& writer) const {
+  if (!target_.prior) return;
+  copyMaps(*target_.prior, writer);
+  writer.add(
+      LogEntry(SessionsTakenOver{target_.prior->loops, target_.prior->session.graph.T_map_scan}));
 }
 
 void SessionLog::keep(const MapUpdatePtr& update) {
@@ -46,7 +66,7 @@ void SessionLog::keep(const MapUpdatePtr& update) {
 }
 
 void SessionLog::add(const MapUpdatePtr& update) {
-  const std::size_t end = update->submap->lastScan().value + 1;
+  const std::size_t end = scans_before_ + update->submap->lastScan().value + 1;
   closed_.push_back(closedOf(*update->submap, update->detail_submap));
   if (writer_) writer_->add(nodesFrom(logged_scans_, end), closed_.back(), update);
   logged_scans_ = end;
@@ -88,19 +108,18 @@ GraphOptimised SessionLog::optimised(std::vector<LoopConstraint> new_loops) cons
   entry.last_scan = last_corrected_;
   entry.constraints = std::move(new_loops);
   entry.T_map_odom = graph_.T_map_odom();
-  for (const SubmapClosed& submap : closed_)
-    if (!(last_corrected_ < submap.first_scan))
-      entry.T_map_keypose.push_back(graph_.pose(submap.first_scan));
-  for (const LoopEdge& edge : graph_.loops())
-    entry.decisions.push_back({edge.state, edge.chi2_before, edge.chi2_after, edge.weight});
+  for (const auto* submaps : {&closed_before_, &closed_})
+    for (const SubmapClosed& submap : *submaps)
+      if (!(last_corrected_ < submap.first_scan))
+        entry.T_map_keypose.push_back(graph_.pose(submap.first_scan));
+  for (const LoopEdge& edge : graph_.loops()) entry.decisions.push_back(decisionOf(edge));
   return entry;
 }
 
 TrajectoryWritten SessionLog::optimisedTrajectory() const {
   TrajectoryWritten entry;
   entry.version = version_;
-  for (std::uint32_t i = 0; i <= last_corrected_.value; ++i)
-    entry.T_map_scan.push_back(graph_.pose({i, info_.id}));
+  entry.T_map_scan = correctionOf(graph_, last_corrected_).T_map_scan;
   return entry;
 }
 
@@ -142,16 +161,22 @@ MapUpdatePtr SessionLog::stored(std::size_t submap, const SessionWriter* lost) c
   try {
     if (writer_)
       update->detail_submap =
-          readSubmap(submapFile(target_.folder, id), {SubmapRecord::detail}).detail_submap;
+          readSubmap(submapFile(target_.folder, id, info_.id), {SubmapRecord::detail})
+              .detail_submap;
   } catch (const std::runtime_error&) {
   }
   return update;
 }
 
+std::size_t SessionLog::loopsBefore() const {
+  return target_.prior ? target_.prior->loops.size() : 0;
+}
+
 void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) const {
-  std::size_t scans = 0;
+  writePrior(writer);
+  std::size_t scans = scans_before_;
   for (std::size_t i = 0; i < closed_.size(); ++i) {
-    const std::size_t end = closed_[i].last_scan.value + 1;
+    const std::size_t end = scans_before_ + closed_[i].last_scan.value + 1;
     writer.add(nodesFrom(scans, end), closed_[i], stored(i, lost));
     scans = end;
     if (!lost) writer.drain();  // one in memory at a time
@@ -159,13 +184,16 @@ void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) cons
   for (const StoredLocalMap& map : local_maps_) writer.add(map);
   if (version_ == 0) return;
   std::vector<LoopConstraint> loops;
-  for (const LoopEdge& edge : graph_.loops()) loops.push_back(edge.loop);
+  for (std::size_t i = loopsBefore(); i < graph_.loops().size(); ++i)
+    loops.push_back(graph_.loops()[i].loop);
   writer.add(LogEntry(optimised(std::move(loops))));
   writer.add(LogEntry(optimisedTrajectory()));
 }
 
 Session SessionLog::snapshot() const {
-  return {target_.folder, info_, closed_, graphOf(graph_)};
+  std::vector<SubmapClosed> submaps = closed_before_;
+  submaps.insert(submaps.end(), closed_.begin(), closed_.end());
+  return {target_.folder, info_, std::move(submaps), graphOf(graph_)};
 }
 
 void SessionLog::flush(bool open_scans) {
@@ -179,7 +207,7 @@ void SessionLog::flush(bool open_scans) {
 
 void SessionLog::copyTo(const std::string& folder) {
   if (writer_) writer_->drain();  // what is copied is on disk, or known to wait
-  SessionWriter writer({folder, target_.sensor, nullptr, false}, info_, niceness_);
+  SessionWriter writer({folder, target_.sensor, nullptr, false, nullptr}, info_, niceness_);
   writeAll(writer, nullptr);
   writer.add(LogEntry(ScansAdded{nodesFrom(logged_scans_, graph_.size())}));
   if (isWhole()) writer.close();

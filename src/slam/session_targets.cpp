@@ -4,6 +4,7 @@
 #include <ctime>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace revisit_slam {
 namespace {
@@ -35,6 +36,15 @@ SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor) {
     SessionTarget target;
     if (!folder.empty()) target.folder = freeName(nameOf(folder, start));
     target.sensor = sensor;
+    return target;
+  };
+}
+
+SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets) {
+  if (!prior) return targets;
+  return [prior = std::move(prior), targets = std::move(targets)](SessionId id, Stamp start) {
+    SessionTarget target = targets(id, start);
+    if (id == nextSession(prior->session.info)) target.prior = prior;
     return target;
   };
 }

@@ -7,11 +7,11 @@
 namespace revisit_slam {
 
 Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
-           SessionTargets targets)
+           SessionTargets targets, const KnownMapPtr& prior)
     : observer_(observer),
       executor_(executor),
       with_maps_(config.mapping.enabled),
-      odometry_(config),
+      odometry_(config, prior ? nextSession(prior->session.info) : SessionId{}),
       information_(config.information),
       back_end_(
           config,
@@ -19,8 +19,8 @@ Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
             if (correction->version > 0) observer_.onCorrection(correction);
             maps_.correct(correction);
           },
-          std::move(targets)),
-      maps_(config, foreground_, executor.background(), outputsOfMaps()) {}
+          goingOnFrom(prior, targets ? std::move(targets) : liveTargets(config.live))),
+      maps_(config, foreground_, executor.background(), outputsOfMaps(), prior) {}
 
 /// What waits in the background speaks to the stages. After finish() there is nothing.
 Slam::~Slam() {

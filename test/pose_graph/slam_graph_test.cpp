@@ -148,6 +148,67 @@ TEST(SlamGraph, ADisabledLoopLeavesNothingBehind) {
     EXPECT_LT((graph.pose(ScanId{i}).translation - bentPose(i).translation).norm(), 1e-9);
 }
 
+/// The drive twice, as sessions 0 and 1, each in its own odometry frame.
+SlamGraph bentDrives() {
+  SlamGraph graph = bentDrive();
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    graph.add({ScanId{i, SessionId{1}}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
+  return graph;
+}
+
+/// Scan `to` of session 1 is 5 m to the left of scan `from` of session 0, and turned.
+LoopConstraint across(std::uint32_t from, std::uint32_t to) {
+  LoopConstraint loop = straight(from, to);
+  loop.constraint.to.session = loop.source.session = SessionId{1};
+  loop.constraint.T_from_to = {expSO3({0.0, 0.0, 0.5}), {0.0, 5.0, 0.0}};
+  return loop;
+}
+
+TEST(SlamGraph, ASessionBeginsAMapOfItsOwn) {
+  SlamGraph graph = bentDrive();
+  graph.optimise(ScanId{39}, {straight(0, 39)});
+  const Pose last = graph.pose(ScanId{kNodes - 1});
+  graph.add({ScanId{0, SessionId{1}}, Stamp{}, bentPose(3), Matrix6::Identity()});
+  EXPECT_EQ(graph.pose(ScanId{kNodes - 1}).translation, last.translation);
+  EXPECT_EQ(graph.pose(ScanId{0, SessionId{1}}).translation, bentPose(3).translation);
+  EXPECT_EQ(bentDrives().graph().factors().size(), 2u * (kNodes - 1));
+}
+
+TEST(SlamGraph, LoopsBringTheLaterSessionIntoTheMapOfTheEarlierOne) {
+  SlamGraph graph = bentDrives();
+  const ScanId end{kNodes - 1, SessionId{1}};
+  ASSERT_TRUE(graph.optimise(end, {across(20, 30)}));
+  const Pose T_from_to = graph.pose(ScanId{20}).inverse() * graph.pose(ScanId{30, SessionId{1}});
+  EXPECT_LT((T_from_to.translation - Eigen::Vector3d(0.0, 5.0, 0.0)).norm(), 1e-6);
+  EXPECT_EQ(graph.pose(ScanId{0}).translation, bentPose(0).translation);
+  graph.add({ScanId{kNodes, SessionId{1}}, Stamp{}, bentPose(kNodes), Matrix6::Identity()});
+  const Pose step = graph.pose(end).inverse() * graph.pose(ScanId{kNodes, SessionId{1}});
+  EXPECT_LT((step.translation - Eigen::Vector3d(1.0, 0.0, 0.0)).norm(), 1e-6);
+}
+
+TEST(SlamGraph, LoopsThatAreRejectedLeaveTheSessionWhereItWas) {
+  SlamGraph graph = bentDrives();
+  LoopConstraint loop = across(20, 30);
+  loop.constraint.information(0, 0) = std::nan("");
+  EXPECT_FALSE(graph.optimise(ScanId{kNodes - 1, SessionId{1}}, {loop}));
+  EXPECT_EQ(graph.pose(ScanId{7, SessionId{1}}).translation, bentPose(7).translation);
+}
+
+TEST(SlamGraph, GoesOnWithWhatWasOptimisedBefore) {
+  SlamGraph before = bentDrive();
+  before.optimise(ScanId{kNodes - 1}, {straight(0, kNodes - 1)});
+  SlamGraph graph({});
+  graph.addOptimised(before.nodes(), before.poses(), before.loops());
+  ASSERT_EQ(graph.loops().size(), 1u);
+  EXPECT_EQ(graph.loops()[0].weight, before.loops()[0].weight);
+  EXPECT_EQ(graph.pose(ScanId{30}).translation, before.pose(ScanId{30}).translation);
+  for (SlamGraph* either : {&before, &graph})
+    either->add({ScanId{kNodes}, Stamp{}, bentPose(kNodes), correlatedInformation(0.05, 0.03)});
+  EXPECT_LT(
+      (graph.pose(ScanId{kNodes}).translation - before.pose(ScanId{kNodes}).translation).norm(),
+      1e-9);
+}
+
 TEST(SlamGraph, RefusesAGapInTheScans) {
   SlamGraph graph = bentDrive();
   EXPECT_THROW(graph.add({ScanId{kNodes + 1}, {}, {}, Matrix6::Identity()}), std::invalid_argument);

@@ -119,12 +119,12 @@ TEST_F(SessionReaderTest, WithoutItsDescriptionOrLogAFolderIsRefusedWithTheReaso
   EXPECT_THROW(read(), std::runtime_error);
   std::filesystem::remove(path_ + "/graph.log");
   EXPECT_THROW(read(), std::runtime_error);
-  overwrite("/session.yaml", "format: 3\n");
+  overwrite("/session.yaml", "format: 4\n");
   try {
     read();
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_TRUE(contains(error.what(), "format 3"));
+    EXPECT_TRUE(contains(error.what(), "format 4"));
   }
   std::filesystem::remove(path_ + "/session.yaml");
   try {

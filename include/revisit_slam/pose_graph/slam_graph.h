@@ -9,12 +9,16 @@
 #include "revisit_slam/pose_graph/pose_graph.h"
 #include "revisit_slam/pose_graph/pose_graph_solution.h"
 #include "revisit_slam/types/map_correction.h"
+#include "revisit_slam/types/session_groups.h"
+#include "revisit_slam/types/session_offsets.h"
 
 namespace revisit_slam {
 
-/// The pose graph of a drive: one node a scan, odometry edges between consecutive scans, loop edges
-/// between first scans of submaps, and the poses of the last good optimisation. It alone knows
-/// which node of a PoseGraph stands for which scan.
+/// The pose graph of a drive, or of several sessions: one node a scan, odometry edges between
+/// consecutive scans of a session, loop edges between first scans of submaps, and the poses of the
+/// last good optimisation. It alone knows which node of a PoseGraph stands for which scan. Sessions
+/// that loops do not tie to each other have maps of their own (SessionGroups); loops that tie two
+/// for the first time bring the later one into the map of the earlier.
 class SlamGraph {
  public:
   explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
@@ -22,8 +26,13 @@ class SlamGraph {
   /// Takes effect with the next optimisation.
   void reconfigure(const BackEndConfig& config);
 
-  /// @throws std::invalid_argument for an id that is not the next one.
+  /// @throws std::invalid_argument for an id that neither is the next one nor begins a session.
   void add(const GraphNode& node);
+
+  /// Sessions that have been optimised already, before any node of others: their loops stay what
+  /// they are, and those that were rejected are not tried again.
+  void addOptimised(const std::vector<GraphNode>& nodes, const std::vector<Pose>& T_map_scan,
+                    const std::vector<LoopEdge>& loops);
 
   /// Optimises the graph up to scan `last` with new loops (none: once more with those it has). A
   /// solve that fails, and loops that override established ones, leave the last good poses; the new
@@ -43,6 +52,7 @@ class SlamGraph {
   /// The pose of any scan, those after the last optimisation carried along by it.
   Pose pose(ScanId id) const;
   std::vector<Pose> poses() const;
+  /// Of the newest session.
   Pose T_map_odom() const { return T_map_odom_; }
 
   /// Of the last optimisation with new loops; its time includes that of trying rejected ones.
@@ -71,8 +81,11 @@ class SlamGraph {
     std::vector<LoopFactor> loops;
   };
 
-  /// Scans count from 0 without gaps, as nodes do.
-  static NodeId nodeOfScan(ScanId id) { return NodeId{id.value}; }
+  NodeId nodeOfScan(ScanId id) const { return NodeId{static_cast<std::uint32_t>(scans_[id])}; }
+  std::size_t nodesUpTo(ScanId last) const;
+  void beginSession();
+  void joinSessions(const Batch& batch);
+  void moveGroup(const SessionGroups& groups, SessionId group, const Pose& T_new_map);
   RelativePoseFactor factorOf(const Constraint& constraint) const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
@@ -86,10 +99,11 @@ class SlamGraph {
   void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
 
   BackEndConfig config_;
-  std::vector<GraphNode> nodes_;  // by NodeId
-  std::vector<LoopEdge> loops_;   // by LoopId
-  std::vector<Pose> optimised_;   // T_map_scan, by NodeId
-  Pose T_map_odom_;
+  std::vector<GraphNode> nodes_;     // by NodeId
+  SessionOffsets<ScanId> scans_;     // in nodes_
+  std::vector<LoopEdge> loops_;      // by LoopId
+  std::vector<Pose> optimised_;      // T_map_scan, by NodeId
+  Pose T_map_odom_;                  // of the newest session
   PoseGraphSolution last_solution_;  // without its poses and factors
   double moved_end_ = 0.0;
   std::vector<Batch> rejected_;  // in the order in which they came

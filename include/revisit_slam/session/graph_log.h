@@ -40,7 +40,7 @@ struct GraphOptimised {
   std::optional<LoopId> disabled;           ///< left out before, on request
   std::vector<LoopConstraint> constraints;  ///< that were new
   Pose T_map_odom;                          ///< places all scans after last_scan
-  std::vector<Pose> T_map_keypose;          ///< of the submaps up to last_scan, by number
+  std::vector<Pose> T_map_keypose;          ///< of the submaps up to last_scan, in their order
   /// Of all loops so far, by LoopId: state and residuals alone.
   struct Decision {
     LoopState state;
@@ -49,7 +49,11 @@ struct GraphOptimised {
   std::vector<Decision> decisions;
 };
 
-/// T_map_scan of all optimised scans, by number, as the optimisation of this version left them.
+GraphOptimised::Decision decisionOf(const LoopEdge& edge);
+void decide(const GraphOptimised::Decision& decision, LoopEdge& edge);
+
+/// T_map_scan of all optimised scans, in their order, as the optimisation of this version left
+/// them.
 struct TrajectoryWritten {
   std::uint32_t version = 0;
   std::vector<Pose> T_map_scan;
@@ -60,8 +64,14 @@ struct ParametersChanged {
   std::vector<NamedText> values;
 };
 
-using LogEntry =
-    std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten, ParametersChanged>;
+/// What was known of sessions that had been mapped before: of all scans before this session's.
+struct SessionsTakenOver {
+  std::vector<LoopEdge> loops;   ///< by LoopId
+  std::vector<Pose> T_map_scan;  ///< session after session, by number
+};
+
+using LogEntry = std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten,
+                              ParametersChanged, SessionsTakenOver>;
 
 /// Whether an entry is one of graph.log, which follows the drive; else it is one of
 /// optimisations.log, which follows the graph.

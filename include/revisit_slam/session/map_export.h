@@ -34,7 +34,8 @@ std::vector<std::string> exportSession(const Session& session, const std::string
                                        const ExportProgress& progress = {});
 
 /// How well the map agrees with itself where the drive came back (paper Sec. IV-C), with the
-/// revisits of the corrected trajectory itself and submaps as what is compared.
+/// revisits of the corrected trajectory itself and submaps as what is compared. Of a single
+/// session.
 MapConsistency consistencyOf(const Session& session);
 
 }  // namespace revisit_slam

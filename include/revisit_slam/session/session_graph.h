@@ -5,16 +5,20 @@
 
 #include "revisit_slam/io/trajectory.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
+#include "revisit_slam/types/session_offsets.h"
 
 namespace revisit_slam {
 
 /// What the graph of a session says at one moment: a value.
 struct SessionGraph {
-  std::vector<GraphNode> nodes;  ///< by scan number
+  std::vector<GraphNode> nodes;  ///< session after session, by scan number
   std::vector<Pose> T_map_scan;  ///< likewise
-  Pose T_map_odom;
-  std::vector<LoopEdge> loops;  ///< by LoopId
+  Pose T_map_odom;               ///< of the last session
+  std::vector<LoopEdge> loops;   ///< by LoopId
 };
+
+/// Where each scan is among the nodes.
+SessionOffsets<ScanId> scansOf(const SessionGraph& graph);
 
 SessionGraph graphOf(const SlamGraph& graph);
 

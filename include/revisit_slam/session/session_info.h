@@ -10,6 +10,14 @@
 
 namespace revisit_slam {
 
+/// A session that is in the folder of another one.
+struct JoinedSession {
+  SessionId id;
+  Stamp start;         ///< of the first scan
+  std::string sensor;  ///< where the scans came from
+  std::string from;    ///< folder that it was taken from
+};
+
 /// What session.yaml says of a session.
 struct SessionInfo {
   bool closed = false;   ///< every scan is in a submap that is in the folder
@@ -19,6 +27,7 @@ struct SessionInfo {
   std::string map_frame, odom_frame, base_frame;
   std::string sensor;                 ///< where the scans came from: topic, bag, frame
   std::vector<NamedText> parameters;  ///< in force at the start
+  std::vector<JoinedSession> joined;  ///< by id, which are above its own
 };
 
 /// The version of this software.

@@ -26,19 +26,32 @@ struct StoredParameters {
 };
 StoredParameters storedParameters(const SessionInfo& info);
 
-/// A session at one moment. The points of its submaps stay on disk.
+/// What a folder holds at one moment: a session, or several that were joined. The points of the
+/// submaps stay on disk.
 struct Session {
   std::string folder;
   SessionInfo info;
-  std::vector<SubmapClosed> submaps;  ///< by number
+  std::vector<SubmapClosed> submaps;  ///< session after session, by number
   SessionGraph graph;
 };
 
-/// Names of the files of a session.
+/// The sessions in a folder, in order.
+std::vector<SessionId> sessionsOf(const Session& session);
+/// Without the sessions that no loop ties to this one: where these lie in its map nobody knows.
+Session tiedTo(SessionId session, Session all);
+
+/// Names of the files of a session. In the folder of another session, which is the `owner`, the
+/// names of submaps and local maps tell the session.
 std::string graphLogFile(const std::string& folder);
 std::string optimisationsFile(const std::string& folder);
-std::string submapFile(const std::string& folder, SubmapId id);
-std::string localMapFile(const std::string& folder, LocalMapId id);
+std::string submapFile(const std::string& folder, SubmapId id, SessionId owner);
+std::string localMapFile(const std::string& folder, LocalMapId id, SessionId owner);
+inline std::string submapFile(const std::string& folder, SubmapId id) {
+  return submapFile(folder, id, id.session);
+}
+inline std::string localMapFile(const std::string& folder, LocalMapId id) {
+  return localMapFile(folder, id, id.session);
+}
 
 /// Reads a session, whether it was closed, is being written, or was killed. What cannot be used of
 /// it is named in `notices`.

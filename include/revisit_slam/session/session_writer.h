@@ -19,12 +19,16 @@
 
 namespace revisit_slam {
 
+struct KnownMap;
+
 /// Where a session is written, and where its scans come from.
 struct SessionTarget {
   std::string folder;                ///< empty: nowhere
   std::string sensor;                ///< for session.yaml
   std::shared_ptr<FolderLock> lock;  ///< null: the writer locks the folder itself
   bool is_ours = false;              ///< what is in the folder was written for this session
+  std::shared_ptr<const KnownMap> prior =
+      nullptr;  ///< what the session goes on from; null: nothing
 };
 
 /// Writes a session while it is driven, in a thread of its own, in the order in which it is told.

@@ -25,8 +25,9 @@ struct OptimisationCount {
   double seconds = 0.0;
 };
 
-/// Graph and files of one session (paper Sec. III-D): factors in, corrections out. What cannot be
-/// written waits (SessionWriter), and nothing else does.
+/// Graph and files of one session (paper Sec. III-D), which may go on from others that were mapped
+/// before (SessionTarget::prior): factors in, corrections out. What cannot be written waits
+/// (SessionWriter), and nothing else does.
 class GraphSession {
  public:
   using OnCorrection = std::function<void(const MapCorrectionPtr&)>;
@@ -42,7 +43,8 @@ class GraphSession {
   void add(const MapUpdatePtr& update);
   /// Optimises when the scans up to the closures' last are there, and answers with a correction.
   void add(const LoopClosures& closures);
-  /// Does this as soon as so many scans are there: at once, or when they have been added. In order.
+  /// Does this as soon as so many scans of the session are there: at once, or when they have been
+  /// added. In order.
   void after(std::size_t scans, std::function<void()> work);
 
   /// Leaves a loop out and optimises without it. @return whether there was one to leave out.
@@ -91,6 +93,7 @@ class GraphSession {
   const SessionId id_;
   SlamConfig config_;
   SlamGraph graph_;
+  const std::size_t scans_before_;  // of sessions that were mapped before
   const OnCorrection on_correction_;
   std::uint32_t version_ = 0;
   std::optional<ScanId> last_optimised_;  // may also have come without loops

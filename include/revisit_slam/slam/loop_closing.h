@@ -8,18 +8,20 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "revisit_slam/loops/loop_detector.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/loop_closures.h"
 #include "revisit_slam/types/maps_closed.h"
 
 namespace revisit_slam {
 
-/// The feedback between loops and graph (paper Sec. III-E), for one session: local map n is
-/// searched by appearance, the graph takes what was found and answers with a correction, the
-/// corrected maps are searched retroactively, the graph takes that too, and only then comes local
-/// map n + 1. So what is found depends on the order of scans, and not on that of threads.
+/// The feedback between loops and graph (paper Sec. III-E), for one session or for several: local
+/// map n is searched by appearance, the graph takes what was found and answers with a correction,
+/// the corrected maps are searched retroactively, the graph takes that too, and only then comes
+/// local map n + 1. So what is found depends on the order of scans, and not on that of threads.
 class LoopClosing {
  public:
   /// What it hands on, in the thread that called.
@@ -34,7 +36,12 @@ class LoopClosing {
 
   void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
 
+  /// Sessions that were mapped before, with their loops. Before anything else.
+  void goOnFrom(const std::vector<const KnownMap*>& maps);
+
   void add(const LocalMapPtr& map);
+  /// One that was searched before, among those of the sessions before `first`.
+  void searchAcrossSessions(LocalMapId map, SessionId first);
   /// Searches to the end of what is left when all maps so far are searched, and then passes
   /// `closed` on.
   void finish(const MapsClosed& closed);
@@ -49,7 +56,11 @@ class LoopClosing {
   bool isIdle() const { return work_.empty() && !awaited_; }
 
  private:
-  using Work = std::variant<LocalMapPtr, MapsClosed>;
+  struct Across {
+    LocalMapId map;
+    SessionId first;
+  };
+  using Work = std::variant<LocalMapPtr, Across, MapsClosed>;
   struct Awaited {
     std::uint32_t request;
     std::function<void()> then;
@@ -59,6 +70,7 @@ class LoopClosing {
   void goOn();
   void guarded(const std::function<void()>& work) const;
   void begin(const LocalMapPtr& map);
+  void begin(const Across& across);
   void begin(const MapsClosed& closed);
   void searchAfterAnswer();
   void searchToTheEnd(const MapsClosed& closed);

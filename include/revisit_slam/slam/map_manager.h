@@ -36,7 +36,9 @@ class MapManager {
   };
 
   /// The lanes must outlive this, or end before it does.
-  MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs);
+  /// `prior`: what the session nextSession(prior) goes on from; null: nothing.
+  MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs,
+             KnownMapPtr prior = {});
 
   // In any thread, always the same order.
 
@@ -71,6 +73,7 @@ class MapManager {
   const double largest_voxel_size_;  // m, of the odometry
   Lane &building_, &searching_;
   const Outputs outputs_;
+  const KnownMapPtr prior_;
   MapManagerCount count_;
 
   // In the lane that builds.

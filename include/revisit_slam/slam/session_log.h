@@ -8,6 +8,7 @@
 
 #include "revisit_slam/mapping/map_builder.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/slam/session_targets.h"
 #include "revisit_slam/slam/slam_config.h"
@@ -68,17 +69,21 @@ class SessionLog {
   void addTrajectory();
   std::vector<GraphNode> nodesFrom(std::size_t first, std::size_t end) const;
   void writeAll(SessionWriter& writer, const SessionWriter* lost) const;
+  std::size_t loopsBefore() const;
+  void writePrior(SessionWriter& writer) const;
   MapUpdatePtr stored(std::size_t submap, const SessionWriter* lost) const;
 
   const SlamGraph& graph_;
   const int niceness_;
-  SessionInfo info_;
   SessionTarget target_;
+  SessionInfo info_;
+  const std::size_t scans_before_;           // of sessions that were mapped before
+  std::vector<SubmapClosed> closed_before_;  // by these
 
   std::vector<SubmapPtr> submaps_;  // by number
   std::vector<SubmapOccupancyPtr> occupancies_;
   std::vector<SubmapClosed> closed_;  // those of submaps_ whose scans are all there
-  std::size_t logged_scans_ = 0;      // that are in closed_
+  std::size_t logged_scans_;          // of the graph that are written
   std::vector<StoredLocalMap> local_maps_;
 
   std::uint32_t version_ = 0;             // of the last optimisation

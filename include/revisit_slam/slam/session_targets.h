@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/slam/slam_config.h"
 
@@ -14,6 +15,9 @@ using SessionTargets = std::function<SessionTarget(SessionId, Stamp start)>;
 
 /// A new folder for each session in live/folder, named by its first scan; nowhere without one.
 SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor = "");
+
+/// The same, but that the next session after those of `prior` goes on from them; null: none does.
+SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets);
 
 /// The folder that a session is saved in on request: `folder`, with a number behind it if it is in
 /// use already; a relative one is within live/folder. @throws std::runtime_error where it is not.

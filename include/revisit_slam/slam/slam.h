@@ -17,9 +17,10 @@ namespace revisit_slam {
 class Slam {
  public:
   /// Observer and executor must outlive this.
-  /// `targets`: where sessions are written; null: as live/folder says.
+  /// `targets`: where sessions are written; null: as live/folder says. `prior`: what the drive goes
+  /// on from; null: nothing.
   Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
-       SessionTargets targets = {});
+       SessionTargets targets = {}, const KnownMapPtr& prior = {});
   ~Slam();
 
   /// `times`: what the reading took, for the observer.

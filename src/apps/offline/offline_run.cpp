@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/types/session_groups.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
 
@@ -44,7 +45,8 @@ std::size_t countOf(const OfflineExtent& extent, std::size_t size) {
 }  // namespace
 
 OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
-                       const std::string& folder, OfflineExtent extent, bool quiet)
+                       const std::string& folder, OfflineExtent extent, bool quiet,
+                       const KnownMapPtr& prior)
     : config_(withOrWithoutMaps(config)),
       source_(std::move(source)),
       folder_(folder),
@@ -55,12 +57,14 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
                        return source_->findExtrinsics(tracked_frame_, frame);
                      }),
       extent_(extent),
+      first_session_(prior ? nextSession(prior->session.info) : SessionId{}),
       total_(countOf(extent, source_->size())),
       progress_(config_.mapping.enabled ? "mapping" : "localizing", "scans", total_, quiet),
       loop_candidates_(folder_.file("loop_candidates.csv")),
       executor_(config.background),
-      slam_(config_, *this, executor_,
-            [this](SessionId session, Stamp) { return targetOf(session); }) {
+      slam_(
+          config_, *this, executor_, [this](SessionId session, Stamp) { return targetOf(session); },
+          prior) {
   if (!config.localization.map.empty()) {
     localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
     return;
@@ -188,9 +192,11 @@ void OfflineRun::sayTimeSource() {
 
 /// The first session is in the folder itself, others in folders within.
 SessionTarget OfflineRun::targetOf(SessionId session) const {
-  if (session.value == 0) return {folder_.path(), source_->description(), folder_.lock(), true};
-  return {folder_.file("session_" + std::to_string(session.value + 1)), source_->description(),
-          nullptr, false};
+  if (session == first_session_)
+    return {folder_.path(), source_->description(), folder_.lock(), true};
+  const std::uint32_t number = session.value - first_session_.value + 1;
+  return {folder_.file("session_" + std::to_string(number)), source_->description(), nullptr,
+          false};
 }
 
 void OfflineRun::onMaps(const MapUpdate& update) {
@@ -232,7 +238,17 @@ void OfflineRun::onSession(GraphSession& session) {
   if (&session != slam_.session()) exportMaps(session);
 }
 
+/// Whether the drive has found its way into the map that it goes on from.
+void OfflineRun::sayWhetherJoined(const GraphSession& session) {
+  if (first_session_ == SessionId{} || session.id() != first_session_) return;
+  const SessionGroups groups(session.graph().loops());
+  progress_.say(groups.of(session.id()) == session.id()
+                    ? "the drive was not found in the map that it should extend: no loop ties them"
+                    : "the drive is in the map that it extends");
+}
+
 void OfflineRun::exportMaps(GraphSession& session) {
+  sayWhetherJoined(session);
   for (const std::string& notice : session.saveOwn()) progress_.say(notice);
 }
 

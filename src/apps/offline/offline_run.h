@@ -25,12 +25,14 @@ struct OfflineExtent {
   std::size_t max_scans = 0;  ///< 0: all that follow
 };
 
-/// Maps recorded scans as fast as the machine allows and leaves a folder of results; or
-/// localizes them, where localization/map names a session.
+/// Maps recorded scans as fast as the machine allows and leaves a folder of results, going on from
+/// the map of earlier sessions if there is one; or localizes them, where localization/map names a
+/// session.
 class OfflineRun : private SlamObserver {
  public:
   OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> source,
-             const std::string& folder, OfflineExtent extent, bool quiet);
+             const std::string& folder, OfflineExtent extent, bool quiet,
+             const KnownMapPtr& prior = {});
 
   void run();
 
@@ -44,6 +46,7 @@ class OfflineRun : private SlamObserver {
   void finishMaps();
   void sayTimeSource();
   SessionTarget targetOf(SessionId session) const;
+  void sayWhetherJoined(const GraphSession& session);
   void exportMaps(GraphSession& session);
   void sayWhatWaits();
   void writeResults();
@@ -72,6 +75,7 @@ class OfflineRun : private SlamObserver {
   ScanReader reader_;
   MotionReader motion_reader_;
   OfflineExtent extent_;
+  const SessionId first_session_;
   std::size_t total_;
   Progress progress_;
   VerdictNotice verdicts_;

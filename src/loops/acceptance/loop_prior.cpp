@@ -38,11 +38,13 @@ GraphDrift::GraphDrift(std::vector<SubmapPtr> submaps, const std::vector<LoopEdg
     steps_[a].push_back({b, drift});
     steps_[b].push_back({a, drift});
   };
+  for (const SubmapPtr& submap : submaps) submaps_.append(submap->id);
   for (std::size_t i = 1; i < submaps.size(); ++i)
-    connect(i - 1, i, driftBetween(*submaps[i - 1], *submaps[i], config));
+    if (submaps[i]->id.session == submaps[i - 1]->id.session)
+      connect(i - 1, i, driftBetween(*submaps[i - 1], *submaps[i], config));
   for (const LoopEdge& edge : loops)
     if (edge.state == LoopState::active)
-      connect(edge.loop.target.value, edge.loop.source.value, config.base);
+      connect(submaps_[edge.loop.target], submaps_[edge.loop.source], config.base);
 }
 
 /// Dijkstra's algorithm.
@@ -50,7 +52,7 @@ std::vector<double> GraphDrift::from(SubmapId submap) const {
   using Entry = std::pair<double, std::size_t>;
   std::vector<double> drift(steps_.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-  open.push({base_, submap.value});
+  open.push({base_, submaps_[submap]});
   while (!open.empty()) {
     const auto [so_far, index] = open.top();
     open.pop();

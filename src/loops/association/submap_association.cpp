@@ -2,6 +2,7 @@
 #include "revisit_slam/loops/association/submap_association.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -47,6 +48,7 @@ IsBetter choiceOf(const AssociationConfig& config) {
 }  // namespace
 
 double travelledBetween(const Submap& later, const Submap& earlier) {
+  if (later.id.session != earlier.id.session) return std::numeric_limits<double>::infinity();
   return later.travelled_begin - earlier.travelled_end;
 }
 

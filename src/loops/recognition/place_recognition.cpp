@@ -71,10 +71,12 @@ std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
 
 std::optional<PlaceMatch> PlaceRecognition::recognise(const LocalMap& map) {
   last_ = viewPlace(map, config_);
-  const auto excluded = static_cast<std::size_t>(config_.newest_excluded);
-  candidates_ = find(last_, places_.size() - std::min(places_.size(), excluded));
+  std::size_t places = places_.size();
+  for (int i = 0; i < config_.newest_excluded && places > 0; ++i, --places)
+    if (places_[places - 1].id.session != map.id.session) break;
+  candidates_ = find(last_, places);
   add(map.id, last_.T_level_local, last_.features);
-  if (candidates_.empty() || candidates_.front().inliers <= config_.min_inliers) return {};
+  if (candidates_.empty() || !isRecognised(candidates_.front())) return {};
   return candidates_.front();
 }
 

@@ -3,20 +3,28 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace revisit_slam {
 namespace {
 
-Path optimisedPath(const LocalMap& map, const std::vector<Pose>& T_map_scan) {
-  const std::size_t first = map.submaps.front()->first_scan.value;
-  const std::size_t last = map.submaps.back()->lastScan().value;
+Path optimisedPath(const LocalMap& map, const ScanPoses& T_map_scan) {
+  const ScanId last = map.submaps.back()->lastScan();
   std::vector<Eigen::Vector3d> positions;
-  for (std::size_t scan = first; scan <= last; ++scan)
+  for (ScanId scan = map.submaps.front()->first_scan; scan.value <= last.value; ++scan.value)
     positions.push_back(T_map_scan[scan].translation);
   return Path(std::move(positions));
 }
 
+SessionOffsets<LocalMapId> orderOf(const std::vector<LocalMapPtr>& maps) {
+  SessionOffsets<LocalMapId> order;
+  for (const LocalMapPtr& map : maps) order.append(map->id);
+  return order;
+}
+
+/// In local maps along the drive; no two sessions are near.
 int distanceBetween(LocalMapId a, LocalMapId b) {
+  if (a.session != b.session) return std::numeric_limits<int>::max();
   return std::abs(static_cast<int>(a.value) - static_cast<int>(b.value));
 }
 
@@ -26,27 +34,28 @@ int distanceBetween(const LocalMapPair& a, const LocalMapPair& b) {
 
 }  // namespace
 
-std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan,
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const ScanPoses& T_map_scan,
                                        const AssociationConfig& config) {
   std::vector<PlacedSubmap> placed;
   for (const SubmapPtr& submap : map.submaps) {
-    const auto first = T_map_scan.begin() + submap->first_scan.value,
-               last = T_map_scan.begin() + submap->lastScan().value;
-    placed.push_back({submap, *first});
-    if (config.usesOptimisedTrajectories()) placed.back().T_common_scan.assign(first, last + 1);
+    placed.push_back({submap, T_map_scan[submap->first_scan]});
+    if (config.usesOptimisedTrajectories())
+      placed.back().T_common_scan =
+          T_map_scan.from(submap->first_scan, submap->T_submap_scan.size());
   }
   return placed;
 }
 
 std::vector<RetroactiveCandidate> RetroactiveSearch::search(
-    const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan,
-    std::optional<LocalMapId> p, LocalMapId n, const std::set<LocalMapPair>& closed) const {
+    const std::vector<LocalMapPtr>& maps, const ScanPoses& T_map_scan, std::optional<LocalMapId> p,
+    LocalMapId n, const std::set<LocalMapPair>& closed) const {
   std::vector<RetroactiveCandidate> candidates;
   if (!config_.enabled) return candidates;
+  const SessionOffsets<LocalMapId> order = orderOf(maps);
   std::vector<Path> paths;
-  for (std::size_t i = 0; i <= n.value; ++i) paths.push_back(optimisedPath(*maps[i], T_map_scan));
+  for (std::size_t i = 0; i <= order[n]; ++i) paths.push_back(optimisedPath(*maps[i], T_map_scan));
   const AssociationConfig& limits = config_.association;
-  for (std::size_t i = p ? p->value + 1 : 0; i <= n.value; ++i)
+  for (std::size_t i = p ? order[*p] + 1 : 0; i <= order[n]; ++i)
     for (std::size_t j = 0; j < i + (config_.within_maps ? 1 : 0); ++j) {
       const LocalMapPair pair{maps[i]->id, maps[j]->id};
       if (closed.count(pair) > 0) continue;
@@ -60,15 +69,16 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::search(
 }
 
 std::vector<RetroactiveCandidate> RetroactiveSearch::searchLowDriftWindow(
-    const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
+    const std::vector<LocalMapPtr>& maps, const ScanPoses& T_map_scan, LocalMapId n,
     const std::set<LocalMapPair>& closed) const {
   if (config_.low_drift_window <= 0.0) return {};
+  const SessionOffsets<LocalMapId> order = orderOf(maps);
   std::optional<LocalMapId> before;
-  if (n.value > 0) before = LocalMapId{n.value - 1, n.session};
+  if (order[n] > 0) before = maps[order[n] - 1]->id;
   std::vector<RetroactiveCandidate> candidates = search(maps, T_map_scan, before, n, closed);
   const auto is_too_far_back = [&](const RetroactiveCandidate& candidate) {
-    const LocalMap &later = *maps[candidate.maps.first.value],
-                   &earlier = *maps[candidate.maps.second.value];
+    const LocalMap &later = *maps[order[candidate.maps.first]],
+                   &earlier = *maps[order[candidate.maps.second]];
     return travelledBetween(*later.submaps.front(), *earlier.submaps.back()) >
            config_.low_drift_window;
   };
@@ -79,7 +89,7 @@ std::vector<RetroactiveCandidate> RetroactiveSearch::searchLowDriftWindow(
 
 /// Whether any two submaps come near that are no neighbours.
 bool RetroactiveSearch::meetAgain(const LocalMap& later, const LocalMap& earlier,
-                                  const std::vector<Pose>& T_map_scan) const {
+                                  const ScanPoses& T_map_scan) const {
   const AssociationConfig& limits = config_.association;
   if (limits.min_detour <= 0.0) return true;
   std::vector<Path> paths;

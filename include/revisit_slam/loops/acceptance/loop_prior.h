@@ -6,6 +6,7 @@
 
 #include "revisit_slam/types/loop_edge.h"
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/session_offsets.h"
 #include "revisit_slam/types/submap.h"
 #include "revisit_slam/util/parameters.h"
 
@@ -62,12 +63,14 @@ struct LoopPrior {
 /// from one to the other, which may take the loops that the graph has taken.
 class GraphDrift {
  public:
-  /// `submaps` by number.
+  /// `submaps` of each session by number, session after session.
   GraphDrift(std::vector<SubmapPtr> submaps, const std::vector<LoopEdge>& loops,
              const DriftConfig& config);
 
-  /// m, standard deviation, from a submap to each of all, by number.
+  /// m, standard deviation, from a submap to each of all, in their order; infinite where there is
+  /// no way.
   std::vector<double> from(SubmapId submap) const;
+  double between(SubmapId a, SubmapId b) const { return from(a)[submaps_[b]]; }
 
  private:
   struct Step {
@@ -76,6 +79,7 @@ class GraphDrift {
   };
 
   double base_;
+  SessionOffsets<SubmapId> submaps_;
   std::vector<std::vector<Step>> steps_;  // from each submap
 };
 

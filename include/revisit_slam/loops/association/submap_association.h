@@ -57,7 +57,8 @@ struct PlacedSubmap {
   std::vector<Pose> T_common_scan = {};
 };
 
-/// Travelled distance from the end of the earlier one to the beginning of the later one, m.
+/// Travelled distance from the end of the earlier one to the beginning of the later one, m;
+/// infinite between sessions.
 double travelledBetween(const Submap& later, const Submap& earlier);
 
 /// How near the trajectories of two submaps have to come to be compared, m; negative: they are

@@ -39,8 +39,8 @@ class PlaceRecognition {
   /// Takes effect with the next map; the places seen so far stay as they are.
   void reconfigure(const PlaceRecognitionConfig& config) { config_ = config; }
 
-  /// Looks for `map` among the maps seen so far, but for the newest, and then adds it. Takes any
-  /// map; one without features matches nothing.
+  /// Looks for `map` among the maps seen so far, but for the newest of its session, and then adds
+  /// it. Takes any map; one without features matches nothing.
   /// @return the best candidate, if more than min_inliers features agree on it.
   std::optional<PlaceMatch> recognise(const LocalMap& map);
 
@@ -48,6 +48,9 @@ class PlaceRecognition {
   void add(LocalMapId id, const Pose& T_level_local, const PlaceFeatures& features);
   /// Of all places so far those on which at least three features of the query agree, best first.
   std::vector<PlaceMatch> find(const PlaceView& query) const { return find(query, places_.size()); }
+
+  /// Whether enough features agree.
+  bool isRecognised(const PlaceMatch& match) const { return match.inliers > config_.min_inliers; }
 
   /// Earlier maps on which at least three features of the last query agreed, best first.
   const std::vector<PlaceMatch>& candidates() const { return candidates_; }

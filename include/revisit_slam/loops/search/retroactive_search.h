@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "revisit_slam/loops/association/submap_association.h"
+#include "revisit_slam/types/scan_poses.h"
 #include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
@@ -63,8 +64,8 @@ struct RetroactiveCandidate {
   double gain;       ///< 0 … 1, expected: closeness times distance from other closures
 };
 
-/// The submaps of a local map as the graph placed them; `T_map_scan` counts by scan id.
-std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const std::vector<Pose>& T_map_scan,
+/// The submaps of a local map as the graph placed them.
+std::vector<PlacedSubmap> placeByGraph(const LocalMap& map, const ScanPoses& T_map_scan,
                                        const AssociationConfig& config);
 
 /// Finds the pairs of local maps that optimisation brought together (paper Sec. III-E), and those
@@ -77,22 +78,21 @@ class RetroactiveSearch {
 
   /// Pairs (i, j) with p < i <= n and j earlier, or i itself, not in `closed`, whose optimised
   /// trajectories satisfy d_H <= tau_H and come near where they are not neighbours along the drive;
-  /// most promising first. `maps` counts by local map id, `T_map_scan` by scan id. Without `p` all
-  /// maps up to n are searched.
+  /// most promising first. `maps` of each session by number, session after session. Without `p`
+  /// all maps up to n are searched.
   std::vector<RetroactiveCandidate> search(const std::vector<LocalMapPtr>& maps,
-                                           const std::vector<Pose>& T_map_scan,
-                                           std::optional<LocalMapId> p, LocalMapId n,
+                                           const ScanPoses& T_map_scan, std::optional<LocalMapId> p,
+                                           LocalMapId n,
                                            const std::set<LocalMapPair>& closed) const;
 
   /// Those of the map n alone within the low-drift window: no farther back, in travelled distance,
   /// than odometry alone is trusted to place maps.
   std::vector<RetroactiveCandidate> searchLowDriftWindow(
-      const std::vector<LocalMapPtr>& maps, const std::vector<Pose>& T_map_scan, LocalMapId n,
+      const std::vector<LocalMapPtr>& maps, const ScanPoses& T_map_scan, LocalMapId n,
       const std::set<LocalMapPair>& closed) const;
 
  private:
-  bool meetAgain(const LocalMap& later, const LocalMap& earlier,
-                 const std::vector<Pose>& T_map_scan) const;
+  bool meetAgain(const LocalMap& later, const LocalMap& earlier, const ScanPoses& T_map_scan) const;
   void orderByGain(std::vector<RetroactiveCandidate>& candidates,
                    const std::set<LocalMapPair>& closed) const;
 

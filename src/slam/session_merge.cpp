@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/slam/session_merge.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "revisit_slam/slam/map_correction.h"
+#include "revisit_slam/types/session_groups.h"
+
+namespace revisit_slam {
+
+SessionMerge::SessionMerge(const SlamConfig& config, const std::vector<KnownMap>& maps,
+                           OnSearch on_search)
+    : config_(config),
+      maps_(maps),
+      graph_(config.backend),
+      closing_(config, outputs(std::move(on_search))) {
+  addMaps();
+  const ScanId last = graph_.nodes().back().id;
+  tbb::task_arena(config.background.threads).execute([&] {
+    for (std::size_t i = 1; i < maps_.size(); ++i)
+      for (const LocalMapPtr& map : maps_[i].maps)
+        lane_.post([this, i, map] { closing_.searchAcrossSessions(map->id, sessionOf(i)); });
+    lane_.post([this, last] { closing_.finish({last.session, last.value + 1, 0}); });
+  });
+}
+
+void SessionMerge::addMaps() {
+  std::vector<const KnownMap*> maps;
+  for (const KnownMap& map : maps_) {
+    graph_.addOptimised(map.nodes, map.session.graph.T_map_scan, map.loops);
+    maps.push_back(&map);
+  }
+  closing_.goOnFrom(maps);
+}
+
+LoopClosing::Outputs SessionMerge::outputs(OnSearch on_search) {
+  LoopClosing::Outputs outputs;
+  outputs.search = std::move(on_search);
+  outputs.closures = [this](const LoopClosures& closures) {
+    if (!closures.constraints.empty()) lane_.post([this, closures] { answer(closures); });
+  };
+  outputs.closed = [](const MapsClosed&) {};
+  outputs.problem = [](const std::string& problem) { throw std::runtime_error(problem); };
+  return outputs;
+}
+
+void SessionMerge::answer(const LoopClosures& closures) {
+  graph_.optimise(closures.last_scan, closures.constraints);
+  MapCorrection correction = correctionOf(graph_, closures.last_scan);
+  correction.version = closures.request;
+  correction.request = closures.request;
+  closing_.correct(std::make_shared<const MapCorrection>(std::move(correction)));
+}
+
+SessionId SessionMerge::sessionOf(std::size_t map) const {
+  return maps_[map].numbers(maps_[map].session.info.id);
+}
+
+std::vector<std::size_t> SessionMerge::joined() const {
+  const SessionGroups groups(graph_.loops());
+  std::vector<std::size_t> most;
+  for (std::size_t i = 0; i < maps_.size(); ++i) {
+    std::vector<std::size_t> tied;
+    for (std::size_t k = 0; k < maps_.size(); ++k)
+      if (groups.areTied(sessionOf(i), sessionOf(k))) tied.push_back(k);
+    if (tied.size() > most.size()) most = std::move(tied);
+  }
+  return most;
+}
+
+bool SessionMerge::isJoined(std::size_t map) const {
+  const std::vector<std::size_t> all = joined();
+  return std::find(all.begin(), all.end(), map) != all.end();
+}
+
+void SessionMerge::write(const std::string& folder) const {
+  std::vector<const KnownMap*> maps;
+  for (const std::size_t i : joined()) maps.push_back(&maps_[i]);
+  SessionInfo info = infoOfAll(maps);
+  SlamConfig config = config_;
+  info.software = softwareVersion();
+  info.parameters = textOf(parametersOf(config));
+  SessionWriter writer({folder, info.sensor, nullptr, false}, info, config_.background.niceness);
+  SessionsTakenOver taken;
+  SessionOffsets<ScanId> scans;
+  for (const KnownMap* map : maps) {
+    copyMaps(*map, writer);
+    for (const GraphNode& node : map->nodes) {
+      scans.append(node.id);
+      taken.T_map_scan.push_back(graph_.pose(node.id));
+    }
+  }
+  for (LoopEdge edge : graph_.loops()) {
+    if (!scans.contains(edge.loop.constraint.from) || !scans.contains(edge.loop.constraint.to))
+      continue;
+    edge.id.value = static_cast<std::uint32_t>(taken.loops.size());
+    taken.loops.push_back(edge);
+  }
+  writer.add(LogEntry(std::move(taken)));
+  writer.close();
+  writer.drain();
+  if (!writer.problem().empty()) throw std::runtime_error(writer.problem());
+}
+
+}  // namespace revisit_slam
