@@ -79,7 +79,7 @@ void OfflineRun::run() {
   progress_.finish();
   sayPriors();
   const std::string drops = describeDrops(slam_.account());
-  if (!drops.empty()) progress_.say("WARNING: " + drops);
+  if (!drops.empty() && slam_.account().processed > 0) progress_.say("WARNING: " + drops);
   writeResults();
 }
 
@@ -267,8 +267,10 @@ void OfflineRun::writeResults() {
   if (!localized_) loop_candidates_.flush();
   folder_.finish(summary);
   if (account.processed == 0)
-    throw BagError(account.received == 0 ? "there was no scan in " + source_->description()
-                                         : "no scan could be processed: " + describeDrops(account));
+    throw BagError(account.received == 0
+                       ? "there was no scan in " + source_->description()
+                       : "not one of " + std::to_string(account.received) +
+                             " scans could be processed: " + describeDrops(account));
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {

@@ -27,7 +27,7 @@ std::string describeMissing(const std::string& path) {
   if (folder.empty()) folder = ".";
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))
-    return "there is no folder '" + folder.string() + "'; give the path of a bag";
+    return "there is no file '" + path + "', not even its folder; give the path of a bag";
   std::set<std::string> bags;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     if (entry.path().extension() == ".bag") bags.insert(entry.path().string());
