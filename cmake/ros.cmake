@@ -46,6 +46,7 @@ function(revisit_slam_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
 revisit_slam_program(offline revisit_slam_ros)
+revisit_slam_program(doctor revisit_slam_ros)
 revisit_slam_program(export revisit_slam_core)
 revisit_slam_program(merge revisit_slam_core)
 revisit_slam_program(optimize_graph revisit_slam_ros)
@@ -65,6 +66,6 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
+install(PROGRAMS scripts/report scripts/play_bag scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
         scripts/benchmark scripts/ablation scripts/compare_graphs
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -34,8 +34,9 @@ target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TAR
                                              REVISIT_SLAM_EVALUATE_PROGRAM="$<TARGET_FILE:evaluate>"
                                              REVISIT_SLAM_EXPORT_PROGRAM="$<TARGET_FILE:export>"
                                              REVISIT_SLAM_MERGE_PROGRAM="$<TARGET_FILE:merge>"
+                                             REVISIT_SLAM_DOCTOR_PROGRAM="$<TARGET_FILE:doctor>"
                                              REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>")
-add_dependencies(apps_test convert_dataset evaluate export merge offline)
+add_dependencies(apps_test convert_dataset doctor evaluate export merge offline)
 
 # test/nodelets/NAME.test starts the program made of test/nodelets/NAME/*_test.cpp with a master of
 # its own.
@@ -48,18 +49,20 @@ function(revisit_slam_rostest name)
   target_compile_definitions(${name}_rostest PRIVATE
     REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>")
   target_link_libraries(${name}_rostest revisit_slam_ros nlohmann_json::nlohmann_json)
-  add_dependencies(${name}_rostest revisit_slam_nodelets offline)
+  add_dependencies(${name}_rostest revisit_slam_nodelets offline doctor)
 endfunction()
 revisit_slam_rostest(odometry_nodelet)
 revisit_slam_rostest(live_equals_offline)
 revisit_slam_rostest(processes)
 revisit_slam_rostest(replay)
+revisit_slam_rostest(drivers)
 if(REVISIT_SLAM_SIMULATION)
   revisit_slam_rostest(slam)
   target_compile_definitions(slam_rostest PRIVATE REVISIT_SLAM_SIMULATE_PROGRAM="$<TARGET_FILE:simulate>")
   add_dependencies(slam_rostest simulate)
 endif()
 
+add_test(NAME beginner COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/check_beginner)
 # Skipped where clang-format or clang-tidy is another version than the one that formats.
 add_test(NAME format COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --format)
 add_test(NAME tidy COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --tidy)

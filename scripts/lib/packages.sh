@@ -18,7 +18,7 @@ BUILD_PACKAGES=(
 RUN_PACKAGES=(
   libnodeletlib-tools python3-roslaunch rosbash python3-genpy python3-std-srvs
   python3-rosbag python3-rostopic python3-rosnode python3-rosservice python3-rosmsg python3-tf2-ros
-  python3-sensor-msgs python3-nav-msgs python3-visualization-msgs python3-diagnostic-msgs
+  tf2-tools python3-sensor-msgs python3-nav-msgs python3-visualization-msgs python3-diagnostic-msgs
   python3-matplotlib python3-numpy python3-yaml python3-venv
 )
 

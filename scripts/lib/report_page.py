@@ -19,10 +19,10 @@ h1 { font-size: 28px; font-weight: 600; margin: 0; letter-spacing: -0.01em; }
 h2 { font-size: 19px; font-weight: 600; margin: 48px 0 12px; }
 h3 { font-size: 15px; font-weight: 600; margin: 24px 0 8px; color: var(--muted); }
 p.note { color: var(--muted); font-size: 14px; margin: 6px 0 0; max-width: 46em; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 1px;
+.figures { display: flex; flex-wrap: wrap; gap: 1px;
            background: var(--line); border: 1px solid var(--line); border-radius: 8px;
            overflow: hidden; margin-top: 28px; }
-.figures div { background: #fff; padding: 14px 16px; }
+.figures div { background: #fff; padding: 14px 16px; flex: 1 1 150px; }
 .figures b { display: block; font-size: 22px; font-weight: 600;
              font-variant-numeric: tabular-nums; }
 .figures span { color: var(--muted); font-size: 13.5px; }

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from typing import Dict, List, NamedTuple, Optional, Tuple
 
 import matplotlib
@@ -326,6 +328,24 @@ class StageTimes(NamedTuple):
     stages: Dict[str, np.ndarray]
 
 
+def read_pgm(path: Path) -> np.ndarray:
+    """Binary PGM of 8 bits, rows from the top."""
+    data = path.read_bytes()
+    header = re.match(rb"P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+255\s", data)
+    if header is None:
+        raise ValueError(f"{path} is no binary PGM of 8 bits")
+    width, height = int(header[1]), int(header[2])
+    return np.frombuffer(data, np.uint8, width * height, header.end()).reshape(height, width)
+
+
+def grid_picture(grid: np.ndarray) -> Figure:
+    height = float(np.clip(10.0 * grid.shape[0] / grid.shape[1], 3.2, 9.5))
+    figure, axes = plt.subplots(figsize=(10.0, height), layout="constrained")
+    axes.imshow(grid, cmap="gray", vmin=0, vmax=255, interpolation="antialiased")
+    axes.set_axis_off()
+    return figure
+
+
 def binned(values: np.ndarray, bins: int, greatest: bool = False) -> np.ndarray:
     parts = np.array_split(values, bins)
     return np.array([part.max() if greatest else part.mean() for part in parts])
@@ -347,6 +367,23 @@ def draw_period(axes: Axes, stamps: np.ndarray) -> None:
             linestyle=(0, (4, 3)),
             label=f"time between scans, {period:.0f} ms",
         )
+
+
+def limit_spikes(axes: Axes, total: np.ndarray) -> None:
+    """Single slow scans leave the plot, and are named, where they would flatten all others."""
+    usual, slowest = 2.0 * float(np.percentile(total, 99)), float(total.max())
+    if slowest <= 1.5 * usual:
+        return
+    axes.set_ylim(0, usual)
+    axes.annotate(
+        f"slower scans, beyond the plot: {int((total > usual).sum())}; the slowest took {slowest:.0f} ms",
+        (0.99, 0.97),
+        xycoords="axes fraction",
+        ha="right",
+        va="top",
+        fontsize=9.5,
+        color=MUTED,
+    )
 
 
 def largest_stages(times: StageTimes) -> Dict[str, np.ndarray]:
@@ -387,6 +424,7 @@ def stage_picture(times: StageTimes) -> Figure:
             label="slowest scan",
         )
     axes.set_ylim(0, None)
+    limit_spikes(axes, times.total)
     draw_period(axes, times.stamps)
     axes.set_xlabel("scan")
     axes.set_ylabel("time (ms)")

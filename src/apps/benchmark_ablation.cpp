@@ -164,7 +164,8 @@ int main(int argc, char** argv) {
   CLI::App app{"All combinations of the paper's parts and ours on a drive with known truth"};
   revisit_slam::Options options;
   app.add_option("--bag", options.bag, "bag file")->required();
-  app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--points,--topic", options.topic,
+                 "topic of the scans; may be left out when there is one");
   app.add_option("--base", options.base, "frame of the poses; empty: the sensor's");
   app.add_option("--truth", options.truth, "TUM file of the true poses")->required();
   app.add_option("--out", options.out, "JSON file to write")->required();

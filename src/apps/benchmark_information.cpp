@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
   std::size_t max_scans = 300;
   revisit_slam::SlamConfig config;
   app.add_option("--bag", bag, "bag file")->required();
-  app.add_option("--topic", topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--points,--topic", topic,
+                 "topic of the scans; may be left out when there is one");
   app.add_option("--max-scans", max_scans, "stop after so many scans");
   app.add_option("--threads", config.odometry.threads, "threads of the odometry");
   CLI11_PARSE(app, argc, argv);

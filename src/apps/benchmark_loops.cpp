@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Loop closure of a drive judged by its true trajectory"};
   revisit_slam::Options options;
   app.add_option("--bag", options.bag, "bag file")->required();
-  app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--points,--topic", options.topic,
+                 "topic of the scans; may be left out when there is one");
   app.add_option("--truth", options.truth, "TUM file of the base's true poses")->required();
   app.add_option("--out", options.out, "folder for loops.json and the local maps; made if missing");
   app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();

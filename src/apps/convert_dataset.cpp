@@ -76,7 +76,7 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->check(CLI::IsMember(datasetNames()));
   app.add_option("folder", options.folder, "one sequence as it was distributed")->required();
   app.add_option("--out", options.out, "bag to write; FILE.gt.tum is put beside it")->required();
-  app.add_option("--topic", options.topic, "topic of the scans")->capture_default_str();
+  app.add_option("--points,--topic", options.topic, "topic of the scans")->capture_default_str();
   app.add_option("--max-scans", options.max_scans, "stop after so many scans; 0: all");
   app.add_flag("--uncorrected-elevation", options.uncorrected_elevation,
                "leave the points of KITTI as they are, 0.205 degrees too low");

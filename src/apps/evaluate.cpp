@@ -57,7 +57,8 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->required()
       ->take_all();
   app.add_option("--bag", options.bags, "bag with the scans: judges the maps too");
-  app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--points,--topic", options.topic,
+                 "topic of the scans; may be left out when there is one");
   app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();
   app.add_option("--out", options.out, "folder for evaluation.json and the data of pictures");
   app.add_option("--threads", options.threads, "threads; results do not depend on it")

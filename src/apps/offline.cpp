@@ -6,10 +6,9 @@
 
 #include "offline/offline_run.h"
 #include "revisit_slam/datasets/open_dataset.h"
-#include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/presets.h"
 #include "revisit_slam/priors/motion_priors.h"
-#include "revisit_slam/slam/renamed_parameters.h"
+#include "revisit_slam/slam/read_config.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
 
@@ -18,24 +17,19 @@ namespace {
 
 struct Options {
   std::vector<std::string> bags, dataset;
-  std::string topic, out, preset, parameter_file;
-  std::vector<std::string> settings;
+  std::string topic, out;
+  ConfigSources config;
   std::string map, mode = "map";
   OfflineExtent extent;
   int threads = 0;
   bool quiet = false;
 };
 
-SlamConfig readConfig(const Options& options) {
-  SlamConfig config;
+SlamConfig configOf(const Options& options) {
+  std::vector<std::string> warnings;
+  SlamConfig config = readConfig(options.config, warnings);
+  for (const std::string& warning : warnings) std::cerr << "offline: " << warning << "\n";
   const std::vector<Parameter> parameters = parametersOf(config);
-  const auto assignAll = [&](const std::vector<NamedText>& values) {
-    for (const std::string& warning : assign(parameters, values, kRenamedParameters))
-      std::cerr << "offline: " << warning << "\n";
-  };
-  if (!options.preset.empty()) assignAll(readPreset(options.preset));
-  if (!options.parameter_file.empty()) assignAll(readParameterFile(options.parameter_file));
-  assignAll(parseSettings(options.settings));
   if (options.mode == "localize") assign(parameters, {{"localization/map", options.map}});
   if (options.threads > 0)
     for (const char* threads : {"odometry/threads", "background/threads", "backend/threads"})
@@ -67,12 +61,17 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   app.add_option("--bag", options.bags, "bag file; several are read in the order of time");
   app.add_option("--dataset", options.dataset, "NAME DIR: a sequence of a public dataset")
       ->expected(2);
-  app.add_option("--topic", options.topic, "topic of the scans; may be left out when there is one");
+  app.add_option("--points,--topic", options.topic,
+                 "topic of the scans; may be left out when there is one");
+  app.add_option("--base-frame", options.config.base_frame,
+                 "frame whose pose is estimated, as frames/base; none: the sensor's own");
   app.add_option("--out", options.out, "folder for the results; made if missing")->required();
-  app.add_option("--preset", options.preset, "parameters to start from, before --params and --set")
+  app.add_option("--preset", options.config.preset,
+                 "parameters to start from, before --params and --set")
       ->check(CLI::IsMember(presetNames()));
-  app.add_option("--params", options.parameter_file, "YAML file of parameters");
-  app.add_option("--set", options.settings, "one parameter, as group/name=value")->take_all();
+  app.add_option("--params", options.config.parameter_file, "YAML file of parameters");
+  app.add_option("--set", options.config.settings, "one parameter, as group/name=value")
+      ->take_all();
   app.add_option("--threads", options.threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 64));
   app.add_option("--map", options.map, "session whose map to localize in, or to extend");
@@ -110,7 +109,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Maps a recorded drive; the results are files in a folder"};
   try {
     options = revisit_slam::parseOptions(app, argc, argv);
-    const revisit_slam::SlamConfig config = revisit_slam::readConfig(options);
+    const revisit_slam::SlamConfig config = revisit_slam::configOf(options);
     revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config.priors),
                                  options.out, options.extent, options.quiet,
                                  revisit_slam::readPrior(options, config));

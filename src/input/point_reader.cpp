@@ -48,6 +48,14 @@ ScanReading outOfRange(Stamp stamp) {
   return reading;
 }
 
+/// A name that was mistyped must not quietly cost the deskewing.
+ScanReading withoutNamedField(const std::string& description) {
+  ScanReading reading;
+  reading.rejection = ScanRejection::no_time_field;
+  reading.detail = description + "; set input/time_field to one of these fields, or to auto";
+  return reading;
+}
+
 }  // namespace
 
 ScanReading PointReader::read(const PointView& view, const ReferenceStamp& reference) {
@@ -63,6 +71,7 @@ ScanReading PointReader::read(const PointView& view, const ReferenceStamp& refer
   }
   if (!isInRange(reference.stamp)) return outOfRange(reference.stamp);
   SweepTimes sweep = timer_.time(view, reference, kept);
+  if (timer_.lacksNamedField()) return withoutNamedField(timer_.description());
   if (!isInRange(sweep.stamp)) return outOfRange(sweep.stamp);
   reading.counts = kept.counts;
   reading.scan.emplace();

@@ -106,6 +106,10 @@ SweepTimes PointTimer::withoutTimes(TimeFault fault, const std::string& reason, 
   return {{header.nanoseconds + last_point_after_header_}, {}};
 }
 
+bool PointTimer::lacksNamedField() const {
+  return fault_ == TimeFault::no_field && config_.time_field != "auto" && !source_;
+}
+
 SweepTimes PointTimer::timeByAzimuth(const ReferenceStamp& reference, const KeptPoints& kept) {
   period_.add(reference.stamp);
   const double period = config_.scan_period > 0.0 ? config_.scan_period : period_.seconds();

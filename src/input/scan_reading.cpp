@@ -17,6 +17,10 @@ const char* describe(ScanRejection rejection) {
       return "bad layout";
     case ScanRejection::bad_stamp:
       return "stamp out of range";
+    case ScanRejection::no_stamp:
+      return "no stamp";
+    case ScanRejection::no_time_field:
+      return "no field of the given name";
     case ScanRejection::unsupported_type:
       return "unsupported message type";
     case ScanRejection::internal_error:

@@ -112,6 +112,28 @@ TimeDecision withUnit(const PointField& field, const TimeRange& range, TimeUnit 
 
 }  // namespace
 
+const char* remedyOf(TimeFault fault) {
+  switch (fault) {
+    case TimeFault::none:
+    case TimeFault::undecided:
+    case TimeFault::switched_off:
+      return "";
+    case TimeFault::no_field:
+      return "set input/time_field to azimuth for a spinning sensor, to the name of the field that "
+             "holds the times, or to none if the driver has deskewed the points already";
+    case TimeFault::no_values:
+    case TimeFault::constant:
+      return "let the driver fill the field, or set input/time_field to azimuth for a spinning "
+             "sensor, or to none if the driver has deskewed the points already";
+    case TimeFault::implausible:
+    case TimeFault::contradicts_parameter:
+      return "set input/time_field and input/time_unit to what the driver documents, or "
+             "input/time_field to azimuth for a spinning sensor, or to none if the driver has "
+             "deskewed the points already";
+  }
+  return "";
+}
+
 TimeDecision decideTimeSource(const PointField& field, const TimeRange& range, Stamp header,
                               const TimeOverrides& overrides,
                               const std::optional<TimeSource>& prior) {

@@ -45,6 +45,7 @@ class BackEndNodelet : public SlamNodelet {
  private:
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
+    requireWritable(config_.live);
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
     stage_ = std::make_unique<BackEnd>(
         config_, [this](const MapCorrectionPtr& correction) { publish(correction); },
@@ -137,7 +138,7 @@ class BackEndNodelet : public SlamNodelet {
     stage_->add(closed, [this, request = closed.request](GraphSession* session,
                                                          const std::string& problem) {
       const std::string all = session == nullptr ? problem : saveAll(*session);
-      services_->answer(request, all);
+      services_->answer(request, all, session == nullptr ? "" : session->folder());
       if (session != nullptr && !all.empty()) noteError(all);
     });
     draw();

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <revisit_slam/LiveOdometryConfig.h>
 #include <std_srvs/Trigger.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <atomic>
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
-#include "revisit_slam/ros/input/scan_reader.h"
+#include "revisit_slam/ros/input/arrived_scan.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
-#include "revisit_slam/ros/node/cloud_subscription.h"
+#include "revisit_slam/ros/node/input_report.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/motion_inbox.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
+#include "revisit_slam/ros/node/scan_subscription.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/slam/odometry_stage.h"
@@ -29,8 +29,7 @@ class OdometryNodelet : public SlamNodelet {
   OdometryNodelet() : SlamNodelet("odometry") {}
   ~OdometryNodelet() override {
     stopDiagnostics();
-    points_subscriber_.shutdown();
-    livox_subscriber_.shutdown();
+    scans_.unsubscribe();
     motion_inbox_.unsubscribe();
     reset_service_.shutdown();
     live_parameters_.reset();
@@ -38,11 +37,9 @@ class OdometryNodelet : public SlamNodelet {
   }
 
  private:
-  using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
-  using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
   struct Flush {};   // no further scan comes
   struct Motion {};  // look into the inbox, as before every other message
-  using Message = std::variant<CloudPtr, LivoxPtr, Flush, Motion>;
+  using Message = std::variant<ArrivedScan, Flush, Motion>;
 
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
@@ -69,12 +66,9 @@ class OdometryNodelet : public SlamNodelet {
     motion_inbox_.subscribe(node, config_.priors, [this] {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });
-    const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
-    points_subscriber_ = subscribeToClouds(
-        node, "points", [this](const CloudPtr& cloud) { queue_->push(cloud); },
+    scans_.subscribe(
+        node, [this](const ArrivedScan& scan) { queue_->push(scan); },
         [this](const std::string& fault) { onDamaged(fault); });
-    livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
-        "livox_points", depth, [this](const LivoxPtr& message) { queue_->push(message); });
   }
 
   // In the thread of the queue.
@@ -110,10 +104,9 @@ class OdometryNodelet : public SlamNodelet {
     finish([&] { return stage_->flush(); });
   }
 
-  template <typename Pointer>
-  void take(const Pointer& message) {
+  void take(const ArrivedScan& arrived) {
     StageClock clock;
-    ScanReading reading = reader_->read(*message);
+    ScanReading reading = arrived.readBy(*reader_);
     if (reading.scan) {
       const std::optional<Pose> T_base_sensor = place(reading.frame_id);
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
@@ -128,11 +121,8 @@ class OdometryNodelet : public SlamNodelet {
   /// Scans of a frame that is known do not wait for one that may never be.
   bool newestIsPlaced() const {
     const std::optional<Message> newest = queue_->newest();
-    if (!newest) return false;
-    if (const auto* cloud = std::get_if<CloudPtr>(&*newest))
-      return placement_->knows((**cloud).header.frame_id);
-    const auto* livox = std::get_if<LivoxPtr>(&*newest);
-    return livox && placement_->knows(frameOf(**livox));
+    const ArrivedScan* scan = newest ? std::get_if<ArrivedScan>(&*newest) : nullptr;
+    return scan && placement_->knows(scan->frameId());
   }
 
   void startSession() {
@@ -174,9 +164,7 @@ class OdometryNodelet : public SlamNodelet {
       last_registration_ = result.output.scan->registration;
       last_delay_ = secondsBetween(result.output.scan->stamp, toStamp(ros::Time::now()));
     }
-    if (reader_->description() == time_source_) return;
-    time_source_ = reader_->description();
-    NODELET_INFO("%s", time_source_.c_str());
+    report_.noteTimes(reader_->description(), reader_->remedy());
   }
 
   // In any thread.
@@ -201,8 +189,9 @@ class OdometryNodelet : public SlamNodelet {
 
   void onQueueFull() {
     ++full_;
-    NODELET_WARN_THROTTLE(5.0,
-                          "the odometry does not keep up: the oldest waiting scan was dropped");
+    NODELET_WARN_THROTTLE(5.0, "the oldest scan that waits was dropped: %s",
+                          placement_->fault().empty() ? "the odometry does not keep up"
+                                                      : placement_->fault().c_str());
   }
 
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -214,25 +203,19 @@ class OdometryNodelet : public SlamNodelet {
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
+    report_.askMaster(scans_);
     countUncounted();
     const std::lock_guard<std::mutex> lock(mutex_);
     flushWhereNoneComes();
-    const ScanAccount& account = stage_->account();
-    const std::size_t dropped = account.droppedInAll();
-    const bool newly_dropped = dropped > reported_drops_;
-    reported_drops_ = dropped;
-    status.level = newly_dropped ? status.WARN : status.OK;
-    status.message = account.received == 0 ? "no scan yet"
-                     : newly_dropped       ? "scans were dropped"
-                                           : "running";
-    addValue("point times", time_source_, status);
+    report_.tell(scans_, queue_->waiting(), placement_->fault(), scan_times_.median(), *stage_,
+                 status);
     addValue("messages", stage_->sweepForm(), status);
     addValue("registration", toString(last_registration_.outcome), status);
     addValue("iterations", std::to_string(last_registration_.iterations), status);
     addValue("delay (s)", std::to_string(last_delay_), status);
     addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
     addValue("scans held until the next", std::to_string(stage_->held()), status);
-    addAccount(account, status);
+    addAccount(stage_->account(), status);
     addPriors(stage_->priors().accounts(), status);
   }
 
@@ -251,18 +234,18 @@ class OdometryNodelet : public SlamNodelet {
 
   std::mutex mutex_;  // guards the next six
   std::unique_ptr<OdometryStage> stage_;
-  std::string time_source_;
+  InputReport report_;
   RegistrationResult last_registration_;
   double last_delay_ = 0.0;  // s
   RecentTimes scan_times_;
-  std::size_t reported_drops_ = 0, received_before_ = 0;
+  std::size_t received_before_ = 0;
 
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
   MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
-  ros::Subscriber points_subscriber_, livox_subscriber_;
+  ScanSubscription scans_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/session_targets.h"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace revisit_slam {
@@ -47,6 +52,20 @@ SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets) {
     if (id == nextSession(prior->session.info)) target.prior = prior;
     return target;
   };
+}
+
+void requireWritable(const LiveConfig& live) {
+  if (live.folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(live.folder, error);
+  const std::string trial = live.folder + "/.trial_" + std::to_string(getpid());
+  if (!error && !std::ofstream(trial)) error.assign(errno, std::generic_category());
+  std::error_code ignored;
+  std::filesystem::remove(trial, ignored);
+  if (error)
+    throw ParameterError("live/folder is '" + live.folder + "', where nothing can be written (" +
+                         error.message() + "): choose another, for example folder:=" +
+                         std::filesystem::temp_directory_path().string() + "/maps");
 }
 
 std::string folderToSaveIn(const std::string& folder, const LiveConfig& live) {

@@ -15,6 +15,10 @@ void RecentTimes::add(double milliseconds) {
   }
 }
 
+double RecentTimes::median() const {
+  return milliseconds_.empty() ? 0.0 : quantile(milliseconds_, 0.5);
+}
+
 std::string RecentTimes::summary() const {
   if (milliseconds_.empty()) return "none yet";
   char text[96];

@@ -25,7 +25,9 @@ TEST(OfflineBags, missingTopicListsTheTopicsWithScans) {
   writeScanBag(bag, toClouds(driveInRoom(1)), "/front/points");
   const OfflineProgram run(bag, {"--topic", "/points"});
   EXPECT_EQ(run.status, 1);
-  EXPECT_TRUE(contains(run.output, "no topic '/points'; topics with scans: /front/points"));
+  EXPECT_TRUE(contains(run.output,
+                       "no topic '/points'; choose with --points (points:= in launch files) one "
+                       "of: /front/points"));
 }
 
 TEST(OfflineBags, missingTopicOfMotionListsTheTopicsOfItsType) {

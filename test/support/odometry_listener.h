@@ -77,6 +77,22 @@ class OdometryListener {
       return entry->second.compare(entry->second.size() - end.size(), end.size(), end) == 0;
     });
   }
+  /// Of the latest diagnostics.
+  int level() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return level_;
+  }
+  std::string message() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return message_;
+  }
+  /// Whether the diagnostics came to be of this level, with this in their message.
+  bool judges(int level, const std::string& text) const {
+    return becomesTrue([&] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return level_ == level && message_.find(text) != std::string::npos;
+    });
+  }
   /// Scans dropped, by reason.
   std::map<std::string, int> drops() const {
     const std::string prefix = "scans dropped, ";
@@ -98,6 +114,8 @@ class OdometryListener {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const auto& status : array.status) {
       if (status.name != status_name_) continue;
+      level_ = status.level;
+      message_ = status.message;
       diagnostics_.clear();
       for (const auto& [key, value] : status.values) diagnostics_[key] = value;
     }
@@ -106,8 +124,10 @@ class OdometryListener {
   ros::NodeHandle node_;
   std::string status_name_;
   ros::Subscriber odometry_subscriber_, diagnostics_subscriber_;
-  mutable std::mutex mutex_;  // guards the next two
+  mutable std::mutex mutex_;  // guards the next four
   Trajectory trajectory_;
+  int level_ = -1;
+  std::string message_;
   std::map<std::string, std::string> diagnostics_;
 };
 

@@ -17,6 +17,7 @@ class PointReader {
   ScanReading read(const PointView& view, const ReferenceStamp& reference);
 
   const std::string& description() const { return timer_.description(); }
+  std::string remedy() const { return timer_.remedy(); }
   bool deskewing() const { return timer_.deskewing(); }
 
  private:

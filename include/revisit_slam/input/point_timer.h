@@ -36,7 +36,11 @@ class PointTimer {
   /// One line on where the times come from, or why there are none; changes only with that. Empty
   /// before the first scan.
   const std::string& description() const { return description_; }
+  /// What a user can do where there are no times; empty where nothing has to be done.
+  std::string remedy() const { return remedyOf(fault_); }
   bool deskewing() const { return fault_ == TimeFault::none; }
+  /// Whether no sweep so far has had the field that a parameter names.
+  bool lacksNamedField() const;
 
  private:
   SweepTimes timeByField(const PointView& view, const ReferenceStamp& reference, KeptPoints& kept);

@@ -14,6 +14,7 @@ struct ScanInputConfig {
   std::string time_unit = "auto";
   std::string time_origin = "auto";
   std::string header_stamp = "auto";
+  std::string stamps = "header";
   std::string sweeps = "auto";
   double scan_period = 0.0;
   bool azimuth_clockwise = true;
@@ -34,6 +35,10 @@ struct ScanInputConfig {
       "point of the sweep that the header stamp belongs to (first, middle or last), for times "
       "that are not absolute; auto: the point of time zero, with time_field azimuth the last "
       "point");
+    v("stamps", stamps, Choices{"header", "arrival"}, "",
+      "time of a message. header: its header stamp; arrival: when it was received, for drivers "
+      "that leave the header stamp zero: then the message came after its last point, and poses "
+      "are as irregular in time as messages arrive");
     v("sweeps", sweeps, Choices{"auto", "messages"}, "",
       "what is registered as one scan. auto: sweeps are assembled from the messages where these "
       "hold a part of a revolution or come more often than 30 times a second; messages: every "

@@ -17,6 +17,8 @@ enum class ScanRejection {
   missing_xyz,
   bad_layout,
   bad_stamp,
+  no_stamp,
+  no_time_field,
   unsupported_type,
   internal_error,
 };

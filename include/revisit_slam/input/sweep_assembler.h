@@ -39,6 +39,8 @@ class SweepAssembler {
   std::size_t held() const { return undecided_.size() + parts_.size(); }
   /// What is unusual about the messages; changes only with that.
   const std::string& description() const { return recognition_.description(); }
+  /// Whether point times are not used, as sweeps would overlap by them.
+  bool doubtsTimes() const { return recognition_.form().stretch > 0.0; }
 
  private:
   void insert(ScanReading reading, std::vector<Sweep>& sweeps);

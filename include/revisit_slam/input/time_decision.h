@@ -21,6 +21,9 @@ enum class TimeFault {
   contradicts_parameter,
 };
 
+/// What a user can do about it; empty where nothing has to be done.
+const char* remedyOf(TimeFault fault);
+
 struct TimeDecision {
   std::optional<TimeSource> source;
   TimeFault fault = TimeFault::none;

@@ -72,6 +72,8 @@ class OdometryStage {
   std::size_t held() const { return assembler_.held() + gate_.held() + waiting_.size(); }
   /// What is unusual about the messages; empty where nothing is.
   const std::string& sweepForm() const { return assembler_.description(); }
+  /// Whether that is point times that cannot be.
+  bool doubtsTimes() const { return assembler_.doubtsTimes(); }
 
  private:
   void process(std::vector<SweepAssembler::Sweep> sweeps, std::vector<Result>& results);

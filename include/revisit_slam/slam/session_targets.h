@@ -19,6 +19,10 @@ SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor = "
 /// The same, but that the next session after those of `prior` goes on from them; null: none does.
 SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets);
 
+/// Makes live/folder, if it is set, and tries it out, so that nobody drives in vain.
+/// @throws ParameterError naming the folder and why nothing can be written there.
+void requireWritable(const LiveConfig& live);
+
 /// The folder that a session is saved in on request: `folder`, with a number behind it if it is in
 /// use already; a relative one is within live/folder. @throws std::runtime_error where it is not.
 std::string folderToSaveIn(const std::string& folder, const LiveConfig& live);

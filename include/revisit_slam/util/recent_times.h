@@ -16,6 +16,8 @@ class RecentTimes {
   /// "7.1, 18.6, 62.3 of 1000": median, 99th percentile and largest in milliseconds, and of how
   /// many.
   std::string summary() const;
+  /// ms; 0: none yet.
+  double median() const;
 
  private:
   std::vector<double> milliseconds_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/slam/drop_remedies.h"
 #include "revisit_slam/types/session_groups.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
@@ -81,6 +82,8 @@ void OfflineRun::run() {
   finishMaps();
   progress_.finish();
   sayPriors();
+  const std::string drops = describeDrops(slam_.account());
+  if (!drops.empty() && slam_.account().processed > 0) progress_.say("WARNING: " + drops);
   writeResults();
 }
 
@@ -96,7 +99,7 @@ void OfflineRun::placeSensor() {
   const std::optional<Pose> T_base_sensor = source_->findExtrinsics(base_frame, sensor_frame);
   if (!T_base_sensor)
     throw BagError("the bag has no transform from '" + sensor_frame + "' to '" + base_frame +
-                   "'; set frames/base to a frame that it has, or to nothing for the sensor's own");
+                   "'; give --base-frame a frame that it has, or none for the sensor's own");
   reader_.setExtrinsics(*T_base_sensor);
 }
 
@@ -187,7 +190,9 @@ void OfflineRun::finishMaps() {
 void OfflineRun::sayTimeSource() {
   if (reader_.description() == said_time_source_) return;
   said_time_source_ = reader_.description();
-  progress_.say(said_time_source_);
+  const std::string remedy = reader_.remedy();
+  progress_.say(remedy.empty() ? said_time_source_
+                               : "WARNING: " + said_time_source_ + "; " + remedy);
 }
 
 /// The first session is in the folder itself, others in folders within.
@@ -278,7 +283,10 @@ void OfflineRun::writeResults() {
   if (!localized_) loop_candidates_.flush();
   folder_.finish(summary);
   if (account.processed == 0)
-    throw BagError("not one of " + std::to_string(account.received) + " scans could be processed");
+    throw BagError(account.received == 0
+                       ? "there was no scan in " + source_->description()
+                       : "not one of " + std::to_string(account.received) +
+                             " scans could be processed: " + describeDrops(account));
 }
 
 void OfflineRun::judgeConsistency(RunSummary& summary) {

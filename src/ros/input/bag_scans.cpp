@@ -4,18 +4,16 @@
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <filesystem>
 #include <map>
 #include <set>
 
+#include "revisit_slam/ros/input/scan_topics.h"
+#include "revisit_slam/ros/messages/connected_frames.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
 namespace {
-
-bool holdsScans(const std::string& type) {
-  return type == "sensor_msgs/PointCloud2" || type == "livox_ros_driver/CustomMsg" ||
-         type == "livox_ros_driver2/CustomMsg";
-}
 
 std::string join(const std::set<std::string>& words) {
   std::string text;
@@ -23,10 +21,27 @@ std::string join(const std::set<std::string>& words) {
   return text.empty() ? "none" : text;
 }
 
+/// A path that was mistyped: what there is beside it.
+std::string describeMissing(const std::string& path) {
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    return "there is no file '" + path + "', not even its folder; give the path of a bag";
+  std::set<std::string> bags;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".bag") bags.insert(entry.path().string());
+  return "there is no file '" + path + "'; bags in its folder: " + join(bags);
+}
+
 }  // namespace
 
 RawMessage rawMessageOf(const rosbag::MessageInstance& instance) {
-  RawMessage raw{instance.getDataType(), instance.getMD5Sum(), instance.getMessageDefinition(), {}};
+  RawMessage raw{instance.getDataType(),
+                 instance.getMD5Sum(),
+                 instance.getMessageDefinition(),
+                 {},
+                 toStamp(instance.getTime())};
   raw.bytes.resize(instance.size());
   ros::serialization::OStream out(raw.bytes.data(), static_cast<std::uint32_t>(raw.bytes.size()));
   instance.write(out);
@@ -64,6 +79,8 @@ BagScans::BagScans(const std::vector<std::string>& paths, const std::string& top
 }
 
 void BagScans::open(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) throw BagError(describeMissing(path));
   bags_.push_back(std::make_unique<rosbag::Bag>());
   try {
     bags_.back()->open(path, rosbag::bagmode::Read);
@@ -78,21 +95,24 @@ void BagScans::open(const std::string& path) {
 }
 
 std::string BagScans::chooseTopic(const std::string& wanted) {
-  std::set<std::string> topics_with_scans;
+  std::set<std::string> topics, topics_with_scans;
   std::map<std::string, std::string> types;
   for (const auto& bag : bags_) {
     rosbag::View view(*bag);
     for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
       types[connection->topic] = connection->datatype;
+      topics.insert(connection->topic);
       if (holdsScans(connection->datatype)) topics_with_scans.insert(connection->topic);
     }
   }
-  const std::string found = "; topics with scans: " + join(topics_with_scans);
+  const std::string found =
+      topics_with_scans.empty()
+          ? "; its topics: " + join(topics)
+          : "; choose with --points (points:= in launch files) one of: " + join(topics_with_scans);
   if (wanted.empty()) {
     if (topics_with_scans.size() == 1) return *topics_with_scans.begin();
-    throw BagError((topics_with_scans.empty()
-                        ? "the bag has no topic with scans"
-                        : "the bag has several topics with scans, choose one") +
+    throw BagError((topics_with_scans.empty() ? "the bag has no topic with scans"
+                                              : "the bag has several topics with scans") +
                    found);
   }
   if (types.count(wanted) == 0) throw BagError("the bag has no topic '" + wanted + "'" + found);
@@ -164,6 +184,10 @@ std::string BagScans::sensorFrame() {
     }
   }
   return "";
+}
+
+std::vector<std::string> BagScans::framesAround(const std::string& frame) const {
+  return framesConnectedWith(frame, transforms_);
 }
 
 std::optional<Pose> BagScans::findExtrinsics(const std::string& base_frame,

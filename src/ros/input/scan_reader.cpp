@@ -40,10 +40,31 @@ ScanReading withoutThrowing(ScanRejection rejection, Read read) {
 /// counts from its own start.
 ReferenceStamp referenceOf(const LivoxCustomMsg& message, const ScanInputConfig& config) {
   const double apart = std::abs(message.timebase.toSeconds() - message.header_stamp.toSeconds());
-  const bool by_header = config.time_origin == "relative" || config.header_stamp != "auto";
+  const bool by_header = config.time_origin == "relative" || config.header_stamp != "auto" ||
+                         config.stamps == "arrival";
   const bool by_timebase = config.time_origin == "absolute" || (apart <= 1.0 && !by_header);
   if (by_timebase) return {message.timebase, "timebase", TimeUnit::ns};
   return {message.header_stamp, "header", TimeUnit::ns};
+}
+
+/// A message comes after its last point.
+ScanInputConfig withInstantOfArrival(ScanInputConfig config) {
+  if (config.stamps == "arrival" && config.header_stamp == "auto") config.header_stamp = "last";
+  return config;
+}
+
+/// A header stamp that the driver has left zero gives all scans the same stamp, unless the times of
+/// the points are absolute.
+ScanReading refuseZeroStamp(ScanReading reading) {
+  constexpr double most = 86'400.0;  // s after zero: no time of a clock that was ever set
+  const bool has_time = reading.scan && reading.scan->stamp.toSeconds() > most;
+  const bool is_other_fault = !reading.scan && reading.rejection != ScanRejection::bad_stamp;
+  if (reading.header_stamp.nanoseconds != 0 || has_time || is_other_fault) return reading;
+  reading.scan.reset();
+  reading.rejection = ScanRejection::no_stamp;
+  reading.detail =
+      "the header stamp is zero; let the driver set it, or set input/stamps to arrival";
+  return reading;
 }
 
 void copyBytes(const topic_tools::ShapeShifter& message, std::vector<std::uint8_t>& bytes) {
@@ -67,7 +88,7 @@ std::string frameOf(const topic_tools::ShapeShifter& message) {
 }
 
 ScanReader::ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor)
-    : config_(config), reader_(config), T_base_sensor_(T_base_sensor) {}
+    : config_(config), reader_(withInstantOfArrival(config)), T_base_sensor_(T_base_sensor) {}
 
 ScanReading ScanReader::read(const PointCloud& cloud) {
   return withoutThrowing(ScanRejection::internal_error, [&] {
@@ -75,12 +96,14 @@ ScanReading ScanReader::read(const PointCloud& cloud) {
   });
 }
 
-ScanReading ScanReader::read(const sensor_msgs::PointCloud2& cloud) {
-  return withoutThrowing(ScanRejection::internal_error, [&] { return readCloud(viewOf(cloud)); });
+ScanReading ScanReader::read(const sensor_msgs::PointCloud2& cloud, Stamp arrival) {
+  return withoutThrowing(ScanRejection::internal_error,
+                         [&] { return readStampedCloud(viewOf(cloud), arrival); });
 }
 
-ScanReading ScanReader::read(const topic_tools::ShapeShifter& message) {
+ScanReading ScanReader::read(const topic_tools::ShapeShifter& message, Stamp arrival) {
   return withoutThrowing(ScanRejection::bad_layout, [&] {
+    raw_.arrival = arrival;
     raw_.datatype = message.getDataType();
     raw_.md5sum = message.getMD5Sum();
     raw_.definition = message.getMessageDefinition();
@@ -101,8 +124,9 @@ ScanReading ScanReader::read(const RawMessage& message) {
       return rejected(ScanRejection::unsupported_type,
                       message.datatype + " of an unknown layout, md5sum " + message.md5sum);
     }
-    return is_livox ? readLivox(parseLivoxCustomMsg(message.bytes))
-                    : readCloud(parsePointCloud2(MessageBytes(message.bytes)));
+    return is_livox
+               ? readLivox(parseLivoxCustomMsg(message.bytes), message.arrival)
+               : readStampedCloud(parsePointCloud2(MessageBytes(message.bytes)), message.arrival);
   });
 }
 
@@ -110,8 +134,18 @@ ScanReading ScanReader::readCloud(const PointMessage& cloud) {
   return readPoints(cloud, {cloud.header_stamp, "header", {}});
 }
 
-ScanReading ScanReader::readLivox(const LivoxCustomMsg& message) {
-  return readPoints(message, referenceOf(message, config_));
+ScanReading ScanReader::readStampedCloud(PointMessage cloud, Stamp arrival) {
+  stampByArrival(cloud, arrival);
+  return refuseZeroStamp(readCloud(cloud));
+}
+
+ScanReading ScanReader::readLivox(LivoxCustomMsg message, Stamp arrival) {
+  stampByArrival(message, arrival);
+  return refuseZeroStamp(readPoints(message, referenceOf(message, config_)));
+}
+
+void ScanReader::stampByArrival(PointMessage& message, Stamp arrival) const {
+  if (config_.stamps == "arrival") message.header_stamp = arrival;
 }
 
 ScanReading ScanReader::readPoints(const PointMessage& message, const ReferenceStamp& reference) {

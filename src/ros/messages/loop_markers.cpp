@@ -9,16 +9,25 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-const auto kGreen = colour(0.2f, 1.0f, 0.3f), kBlue = colour(0.3f, 0.7f, 1.0f),
-           kOrange = colour(1.0f, 0.6f, 0.1f), kRed = colour(1.0f, 0.2f, 0.2f),
-           kGrey = colour(0.6f, 0.6f, 0.6f);
-constexpr double kRaise = 2.0;  // m, so that edges are not hidden by the path
+/// Full colours: those of maps are paler (colourOf).
+const auto kMagenta = colour(1.0f, 0.0f, 1.0f), kCyan = colour(0.0f, 1.0f, 1.0f),
+           kOrange = colour(1.0f, 0.5f, 0.0f), kRed = colour(1.0f, 0.0f, 0.0f),
+           kGreen = colour(0.0f, 1.0f, 0.0f), kGrey = colour(0.6f, 0.6f, 0.6f);
+constexpr double kRaise = 4.0;  // m, so that edges are above the path and the points of the map
 
 std_msgs::ColorRGBA colourOfEdge(const LoopEdge& edge, double min_inlier_weight) {
   if (edge.state == LoopState::rejected) return kRed;
   if (edge.state == LoopState::disabled) return kGrey;
   if (edge.weight < min_inlier_weight) return kOrange;
-  return edge.loop.origin == LoopOrigin::appearance ? kGreen : kBlue;
+  return edge.loop.origin == LoopOrigin::appearance ? kMagenta : kCyan;
+}
+
+/// "3", and what is unusual about its state.
+std::string textOf(const LoopEdge& edge, double min_inlier_weight) {
+  const std::string number = std::to_string(edge.id.value);
+  if (edge.state == LoopState::rejected || edge.state == LoopState::disabled)
+    return number + " " + toString(edge.state);
+  return edge.weight < min_inlier_weight ? number + " down-weighted" : number;
 }
 
 /// Lines from place to place, each with a text in its middle.
@@ -28,7 +37,7 @@ class Lines {
       : frame_(frame),
         name_(name),
         lines_(makeMarker(frame, name, 0, Marker::LINE_LIST, width, kGrey)),
-        ends_(makeMarker(frame, name + "_ends", 0, Marker::SPHERE_LIST, 4.0 * width, kGrey)) {}
+        ends_(makeMarker(frame, name + "_ends", 0, Marker::SPHERE_LIST, 2.0 * width, kGrey)) {}
 
   void add(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
            const std_msgs::ColorRGBA& colour, const std::string& text) {
@@ -38,8 +47,9 @@ class Lines {
         marker->points.push_back(toPointMessage(end + raise));
         marker->colors.push_back(colour);
       }
+    if (text.empty()) return;  // rviz takes an empty one for a fault
     texts_.push_back(makeText(frame_, name_ + "_texts", static_cast<int>(texts_.size()), 2.5,
-                              0.5 * (from + to) + 2.0 * raise, text));
+                              0.5 * (from + to) + 1.5 * raise, text));
   }
 
   void addTo(MarkerArray& array) const {
@@ -59,11 +69,11 @@ class Lines {
 
 MarkerArray toLoopEdges(const SlamGraph& graph, double min_inlier_weight,
                         const std::string& frame) {
-  Lines lines(frame, "loops", 0.4);
+  Lines lines(frame, "loops", 0.8);
   for (const LoopEdge& edge : graph.loops()) {
     const Constraint& constraint = edge.loop.constraint;
     lines.add(graph.pose(constraint.from).translation, graph.pose(constraint.to).translation,
-              colourOfEdge(edge, min_inlier_weight), std::to_string(edge.id.value));
+              colourOfEdge(edge, min_inlier_weight), textOf(edge, min_inlier_weight));
   }
   MarkerArray array;
   array.markers.push_back(deleteAll());

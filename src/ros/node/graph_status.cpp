@@ -47,7 +47,9 @@ void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& s
   }
   if (waiting > most_waiting) {
     status.level = status.WARN;
-    status.message = "falling behind";
+    status.message = "falling behind, " + std::to_string(waiting) +
+                     " tasks wait: nothing is lost, but corrections come late; give the graph more "
+                     "threads (backend/threads)";
   }
   if (!problem_.empty()) {
     status.level = status.ERROR;

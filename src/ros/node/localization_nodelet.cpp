@@ -68,7 +68,7 @@ void LocalizationNodelet::subscribe(ros::NodeHandle& node) {
       });
   using Drawn = geometry_msgs::PoseWithCovarianceStamped;
   start_subscriber_ = node.subscribe<Drawn>(
-      "/initialpose", 10,
+      "initialpose", 10,
       [this](const Drawn::ConstPtr& drawn) { lane_->post([this, drawn] { startAt(*drawn); }); });
 }
 

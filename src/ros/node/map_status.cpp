@@ -21,7 +21,9 @@ void MapStatus::tell(const MapManagerCount& count, std::size_t waiting, bool is_
   const int maps_waiting = count.maps_waiting;
   const bool is_behind = maps_waiting > most_waiting || thinned > told_thinned_;
   status.level = is_behind || missed > told_missed_ ? status.WARN : status.OK;
-  status.message = is_behind               ? "falling behind"
+  status.message = is_behind ? "falling behind: loops are found late, and points of scans "
+                               "may be left out; give the search more threads "
+                               "(background/threads)"
                    : missed > told_missed_ ? "scans were missed; call odometry/reset"
                    : is_enabled            ? "running"
                                            : "switched off";

@@ -4,7 +4,11 @@
 #include <XmlRpcValue.h>
 #include <ros/param.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
+
+#include "revisit_slam/io/presets.h"
 
 namespace revisit_slam {
 namespace {
@@ -38,13 +42,24 @@ void flatten(XmlRpc::XmlRpcValue& value, const std::string& name, std::vector<Na
   }
 }
 
+/// The values of the preset whose name is among them come first, so that others go before its own.
+std::vector<NamedText> withPreset(std::vector<NamedText> values) {
+  const auto preset =
+      std::find_if(values.begin(), values.end(), [](const auto& v) { return v.first == "preset"; });
+  if (preset == values.end()) return values;
+  std::vector<NamedText> all = readPreset(preset->second);
+  values.erase(preset);
+  all.insert(all.end(), values.begin(), values.end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<NamedText> readParameterServer(const ros::NodeHandle& node) {
   std::vector<NamedText> values;
   XmlRpc::XmlRpcValue tree;
   if (ros::param::get(node.getNamespace(), tree)) flatten(tree, "", values);
-  return values;
+  return withPreset(std::move(values));
 }
 
 }  // namespace revisit_slam

@@ -47,10 +47,12 @@ void VerdictReport::judge(diagnostic_msgs::DiagnosticStatus& status) {
   status.level = last_ == PoseVerdict::lost          ? status.ERROR
                  : is_bad || is_weak || falls_behind ? status.WARN
                                                      : status.OK;
-  status.message = is_bad         ? std::string("pose ") + toString(last_)
-                   : falls_behind ? "falling behind"
-                   : is_weak      ? "weak directions"
-                                  : "running";
+  status.message = is_bad ? std::string("pose ") + toString(last_)
+                   : falls_behind
+                       ? "falling behind: the information of a scan is repeated; give it more "
+                         "threads (odometry/threads)"
+                   : is_weak ? "weak directions"
+                             : "running";
 }
 
 }  // namespace revisit_slam

@@ -158,10 +158,60 @@ TEST(ScanTimes, parametersThatTheDataContradictAreNamed) {
   EXPECT_EQ(reader.description(),
             "deskewing off: field 't' contradicts time_unit: s: a sweep would last 99.8 s "
             "(0 to 99.8)");
+}
+
+TEST(ScanTimes, aFieldThatNoMessageHasIsNotQuietlyDoneWithout) {
+  ScanInputConfig config;
   config.time_field = "laser_time";
+  ScanReader reader(config);
+  const ScanReading reading = readTimes(reader, 0, sweep(0, 0.1));
+  EXPECT_EQ(reading.rejection, ScanRejection::no_time_field);
+  EXPECT_EQ(
+      reading.detail,
+      "deskewing off: no field 'laser_time' (fields: x y z t); set input/time_field to one of "
+      "these fields, or to auto");
+  config.time_field = "t";
   ScanReader other(config);
-  readTimes(other, 0, sweep(0, 0.1));
-  EXPECT_EQ(other.description(), "deskewing off: no field 'laser_time' (fields: x y z t)");
+  EXPECT_TRUE(readTimes(other, 0, sweep(0, 0.1)).scan);
+  const auto without = PointCloudBuilder(start + period).xyz().build(sweep(0, 0.1));
+  EXPECT_TRUE(other.read(without).scan);  // messages have it, this one has lost it
+}
+
+TEST(ScanTimes, aRemedyIsSaidUnlessTimesAreKnownOrSwitchedOff) {
+  ScanReader reader({});
+  EXPECT_EQ(reader.remedy(), "");
+  readTimes(reader, 0, sweep(0.05, 0.05));
+  EXPECT_NE(reader.remedy().find("input/time_field to azimuth"), std::string::npos);
+  readTimes(reader, 1, sweep(0, 0.0998));
+  EXPECT_EQ(reader.remedy(), "");
+  ScanInputConfig config;
+  config.time_field = "none";
+  ScanReader off(config);
+  readTimes(off, 0, sweep(0, 0.0998));
+  EXPECT_EQ(off.remedy(), "");
+}
+
+TEST(ScanTimes, aZeroHeaderStampIsRefusedUnlessTimesAreAbsoluteOrArrivalsAreUsed) {
+  const auto relative = PointCloudBuilder(0).xyz().field("t", Field::FLOAT32).build(sweep(0, 0.1));
+  const ScanReading refused = ScanReader({}).read(relative, {start});
+  EXPECT_EQ(refused.rejection, ScanRejection::no_stamp);
+  EXPECT_NE(refused.detail.find("input/stamps to arrival"), std::string::npos);
+
+  const double seconds = 1e-9 * start;
+  const auto absolute = PointCloudBuilder(0)
+                            .xyz()
+                            .field("timestamp", Field::FLOAT64)
+                            .build(sweep(seconds, seconds + 0.1));
+  const ScanReading absolute_reading = ScanReader({}).read(absolute);
+  ASSERT_TRUE(absolute_reading.scan);
+  EXPECT_NEAR(secondsBetween({start}, absolute_reading.scan->stamp), 0.1, 1e-6);
+
+  ScanInputConfig config;
+  config.stamps = "arrival";
+  const ScanReading arrived = ScanReader(config).read(relative, {start});
+  ASSERT_TRUE(arrived.scan);
+  EXPECT_EQ(arrived.scan->stamp.nanoseconds, start);  // it came after its last point
+  EXPECT_EQ(arrived.scan->times.size(), 200u);
 }
 
 TEST(ScanTimes, noneSwitchesOffAndWordsAreChecked) {

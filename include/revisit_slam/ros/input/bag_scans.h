@@ -56,6 +56,8 @@ class BagScans {
   /// not connect the two frames.
   std::optional<Pose> findExtrinsics(const std::string& base_frame,
                                      const std::string& sensor_frame) const;
+  /// Frames that the bags' transforms connect this one with.
+  std::vector<std::string> framesAround(const std::string& frame) const;
 
  private:
   void open(const std::string& path);

@@ -15,6 +15,7 @@ namespace revisit_slam {
 struct RawMessage {
   std::string datatype, md5sum, definition;
   std::vector<std::uint8_t> bytes;
+  Stamp arrival;
 };
 
 /// What every message with points has. The view is into the bytes that were parsed.

@@ -28,22 +28,27 @@ class ScanReader {
   explicit ScanReader(const ScanInputConfig& config, const Pose& T_base_sensor = {});
 
   ScanReading read(const PointCloud& cloud);
-  ScanReading read(const sensor_msgs::PointCloud2& cloud);
+  /// `arrival`: when the message was received.
+  ScanReading read(const sensor_msgs::PointCloud2& cloud, Stamp arrival = {});
   /// PointCloud2 or the CustomMsg of either Livox driver.
   ScanReading read(const RawMessage& message);
-  ScanReading read(const topic_tools::ShapeShifter& message);
+  ScanReading read(const topic_tools::ShapeShifter& message, Stamp arrival = {});
 
   /// One line on where the point times come from, or why there is no deskewing. It changes when
   /// that does, so that it can be logged once. Empty before the first scan.
   const std::string& description() const { return reader_.description(); }
+  /// What a user can do about scans without point times; empty where nothing has to be done.
+  std::string remedy() const { return reader_.remedy(); }
   /// Whether the last scan had point times.
   bool deskewing() const { return reader_.deskewing(); }
 
   void setExtrinsics(const Pose& T_base_sensor) { T_base_sensor_ = T_base_sensor; }
 
  private:
+  void stampByArrival(PointMessage& message, Stamp arrival) const;
   ScanReading readCloud(const PointMessage& cloud);
-  ScanReading readLivox(const LivoxCustomMsg& message);
+  ScanReading readStampedCloud(PointMessage cloud, Stamp arrival);
+  ScanReading readLivox(LivoxCustomMsg message, Stamp arrival);
   ScanReading readPoints(const PointMessage& message, const ReferenceStamp& reference);
 
   ScanInputConfig config_;

@@ -32,7 +32,8 @@ class GraphServices {
   void stop();
 
   /// The worker has finished what this request asked for. `problem`: empty, or why it could not.
-  void answer(std::uint32_t request, const std::string& problem);
+  /// `folder`: where the files are; empty: there are none.
+  void answer(std::uint32_t request, const std::string& problem, const std::string& folder);
 
  private:
   bool save(SaveMap::Request& request, SaveMap::Response& response);
@@ -44,10 +45,10 @@ class GraphServices {
   const ros::Publisher close_maps_;
   std::atomic<bool> ending_{false};
 
-  std::mutex mutex_;  // guards the next three
+  std::mutex mutex_;  // guards the next four
   std::condition_variable changed_;
   std::uint32_t requests_ = 0, answered_ = 0;
-  std::string problem_;  // of the last answer
+  std::string problem_, folder_;  // of the last answer
 
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{2, &queue_};

@@ -12,8 +12,9 @@
 
 namespace revisit_slam {
 
-/// The values below the namespace of `node`, nested as the groups are.
-/// @throws ParameterError for a list.
+/// The values below the namespace of `node`, nested as the groups are, with those of the preset
+/// that the parameter `preset` names before them. @throws ParameterError for a list, or another
+/// preset.
 std::vector<NamedText> readParameterServer(const ros::NodeHandle& node);
 
 /// A struct of parameters as the server has it; warns of old names. @throws ParameterError (see

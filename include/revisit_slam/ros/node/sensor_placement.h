@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,7 @@
 
 namespace revisit_slam {
 
-/// Where sensors are on the robot, by TF. For one thread.
+/// Where sensors are on the robot, by TF. For one thread, but for fault().
 class SensorPlacement {
  public:
   /// `base_frame` empty: the frame of the first scan. `patience`: seconds to wait for the transform
@@ -34,8 +35,13 @@ class SensorPlacement {
   /// That of the poses; empty before the first scan where it was given empty.
   const std::string& baseFrame() const { return base_frame_; }
 
+  /// Why the last scans could not be placed, with what to do; empty where they could. Thread-safe.
+  std::string fault() const;
+
  private:
   std::optional<Pose> lookUp(const std::string& sensor_frame) const;
+  void noteMissing(const std::string& sensor_frame);
+  void noteFound(const std::string& sensor_frame);
   std::optional<Pose> waitFor(const std::string& sensor_frame,
                               const std::function<bool()>& stopping);
 
@@ -44,6 +50,11 @@ class SensorPlacement {
   const double patience_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_{buffer_};
+  struct Missing {
+    std::string base_frame, sensor_frame;
+  };
+  mutable std::mutex mutex_;  // guards the next one
+  std::optional<Missing> missing_;
   std::map<std::string, std::optional<Pose>> placed_;  // by frame; nothing: waited in vain
 };
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <string>
+
+#include "revisit_slam/ros/node/input_watch.h"
+#include "revisit_slam/ros/node/scan_subscription.h"
+#include "revisit_slam/slam/odometry_stage.h"
+
+namespace revisit_slam {
+
+/// Tells users, in the log and in the diagnostics, what the odometry receives, what is wrong with
+/// it and what to do. For one thread at a time, but for askMaster().
+class InputReport {
+ public:
+  /// Where point times come from, and what to do where there are none; logged when that changes.
+  void noteTimes(const std::string& description, const std::string& remedy);
+
+  /// Where nothing comes, what is published; without a lock, as the master may be slow to answer.
+  void askMaster(const ScanSubscription& scans);
+  /// Afterwards: level and message of what is most wrong, and the numbers behind it.
+  void tell(const ScanSubscription& scans, std::size_t waiting, const std::string& transform_fault,
+            double milliseconds_a_scan, const OdometryStage& stage,
+            diagnostic_msgs::DiagnosticStatus& status);
+
+ private:
+  std::string timeFault(const OdometryStage& stage) const;
+
+  InputWatch watch_;
+  std::vector<TypedTopic> published_;
+  std::string times_, remedy_;
+};
+
+}  // namespace revisit_slam
