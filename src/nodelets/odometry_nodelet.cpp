@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <revisit_slam/LiveOdometryConfig.h>
 #include <std_srvs/Trigger.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <atomic>
 #include <pluginlib/class_list_macros.hpp>
 #include <variant>
 
-#include "revisit_slam/ros/input/scan_reader.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
-#include "revisit_slam/ros/node/cloud_subscription.h"
 #include "revisit_slam/ros/node/live_parameters.h"
 #include "revisit_slam/ros/node/motion_inbox.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
+#include "revisit_slam/ros/node/scan_topics.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/slam/odometry_stage.h"
@@ -29,8 +27,7 @@ class OdometryNodelet : public SlamNodelet {
   OdometryNodelet() : SlamNodelet("odometry") {}
   ~OdometryNodelet() override {
     stopDiagnostics();
-    points_subscriber_.shutdown();
-    livox_subscriber_.shutdown();
+    if (scans_) scans_->unsubscribe();
     motion_inbox_.unsubscribe();
     reset_service_.shutdown();
     live_parameters_.reset();
@@ -38,19 +35,17 @@ class OdometryNodelet : public SlamNodelet {
   }
 
  private:
-  using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
-  using LivoxPtr = topic_tools::ShapeShifter::ConstPtr;
   struct Flush {};   // no further scan comes
   struct Motion {};  // look into the inbox, as before every other message
-  using Message = std::variant<CloudPtr, LivoxPtr, Flush, Motion>;
+  using Message = std::variant<ReceivedScan, Flush, Motion>;
 
   void start() override {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
-    reader_ = std::make_unique<ScanReader>(config_.input);
+    scans_ = std::make_unique<ScanTopics>(config_.input);
     motion_reader_ = std::make_unique<MotionReader>(
-        config_.priors, [this](const std::string& frame) { return place(frame); });
+        config_.priors, config_.gnss, [this](const std::string& frame) { return place(frame); });
     stage_ = std::make_unique<OdometryStage>(config_, now);
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
@@ -66,15 +61,12 @@ class OdometryNodelet : public SlamNodelet {
         config_.live.queue_size,
         [this](const Message& message) { guarded([&] { handle(message); }); },
         [this] { onQueueFull(); });
-    motion_inbox_.subscribe(node, config_.priors, [this] {
+    motion_inbox_.subscribe(node, config_.priors, config_.gnss, [this] {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });
-    const uint32_t depth = 0;  // no limit: only the queue above drops scans, as it counts them
-    points_subscriber_ = subscribeToClouds(
-        node, "points", [this](const CloudPtr& cloud) { queue_->push(cloud); },
+    scans_->subscribe(
+        node, [this](const ReceivedScan& scan) { queue_->push(scan); },
         [this](const std::string& fault) { onDamaged(fault); });
-    livox_subscriber_ = node.subscribe<topic_tools::ShapeShifter>(
-        "livox_points", depth, [this](const LivoxPtr& message) { queue_->push(message); });
   }
 
   // In the thread of the queue.
@@ -110,10 +102,9 @@ class OdometryNodelet : public SlamNodelet {
     finish([&] { return stage_->flush(); });
   }
 
-  template <typename Pointer>
-  void take(const Pointer& message) {
+  void take(const ReceivedScan& scan) {
     StageClock clock;
-    ScanReading reading = reader_->read(*message);
+    ScanReading reading = scans_->read(scan);
     if (reading.scan) {
       const std::optional<Pose> T_base_sensor = place(reading.frame_id);
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
@@ -129,10 +120,8 @@ class OdometryNodelet : public SlamNodelet {
   bool newestIsPlaced() const {
     const std::optional<Message> newest = queue_->newest();
     if (!newest) return false;
-    if (const auto* cloud = std::get_if<CloudPtr>(&*newest))
-      return placement_->knows((**cloud).header.frame_id);
-    const auto* livox = std::get_if<LivoxPtr>(&*newest);
-    return livox && placement_->knows(frameOf(**livox));
+    const auto* scan = std::get_if<ReceivedScan>(&*newest);
+    return scan && placement_->knows(scan->frame());
   }
 
   void startSession() {
@@ -174,8 +163,8 @@ class OdometryNodelet : public SlamNodelet {
       last_registration_ = result.output.scan->registration;
       last_delay_ = secondsBetween(result.output.scan->stamp, toStamp(ros::Time::now()));
     }
-    if (reader_->description() == time_source_) return;
-    time_source_ = reader_->description();
+    if (scans_->description() == time_source_) return;
+    time_source_ = scans_->description();
     NODELET_INFO("%s", time_source_.c_str());
   }
 
@@ -233,7 +222,8 @@ class OdometryNodelet : public SlamNodelet {
     addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
     addValue("scans held until the next", std::to_string(stage_->held()), status);
     addAccount(account, status);
-    addPriors(stage_->priors().accounts(), status);
+    addPriors(stage_->sensorAccounts(), status);
+    addLidars(stage_->lidarAccounts(), status);
   }
 
   /// What was held at the last diagnostics too has waited long enough for the next scan.
@@ -244,7 +234,7 @@ class OdometryNodelet : public SlamNodelet {
   }
 
   // Of the queue's thread.
-  std::unique_ptr<ScanReader> reader_;
+  std::unique_ptr<ScanTopics> scans_;
   std::unique_ptr<MotionReader> motion_reader_;
   std::unique_ptr<SensorPlacement> placement_;
   std::unique_ptr<OdometryTopics> topics_;
@@ -262,7 +252,6 @@ class OdometryNodelet : public SlamNodelet {
   ros::ServiceServer reset_service_;
   MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
-  ros::Subscriber points_subscriber_, livox_subscriber_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };
 

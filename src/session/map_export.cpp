@@ -20,6 +20,7 @@
 #include "revisit_slam/io/pcd.h"
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/session/georeference_files.h"
 #include "revisit_slam/session/stored_submap.h"
 
 namespace revisit_slam {
@@ -103,6 +104,8 @@ class MapExport {
     writeKitti(file("trajectory_kitti.txt"), trajectory);
     writeGraph(file("pose_graph.g2o"), session_.graph);
     writeLoops(file("loop_closures.csv"), session_.graph);
+    if (session_.graph.georeference)
+      writeGeoreference(folder_, trajectory, *session_.graph.georeference);
     makeFolder(file("submaps"));
     writeTable();
     tell(0.1);

@@ -39,7 +39,7 @@ PoseGraph poseGraphOf(const SessionGraph& session) {
 }  // namespace
 
 SessionGraph graphOf(const SlamGraph& graph) {
-  return {graph.nodes(), graph.poses(), graph.T_map_odom(), graph.loops()};
+  return {graph.nodes(), graph.poses(), graph.T_map_odom(), graph.loops(), graph.georeference()};
 }
 
 Trajectory trajectoryOf(const SessionGraph& graph) {

@@ -66,6 +66,11 @@ void writeSessionInfo(const std::string& path, const SessionInfo& info) {
   session["frames"]["odom"] = info.odom_frame;
   session["frames"]["base"] = info.base_frame;
   session["gauge"] = "first scan";
+  if (info.datum) {
+    session["datum"]["latitude"] = info.datum->latitude;
+    session["datum"]["longitude"] = info.datum->longitude;
+    session["datum"]["altitude"] = info.datum->altitude;
+  }
   session["sensor"] = info.sensor;
   session["parameters"] = nested(info.parameters);
   writeWholeText(path, YAML::Dump(session) + "\n");
@@ -89,6 +94,9 @@ SessionInfo readSessionInfo(const std::string& path) {
     info.odom_frame = session["frames"]["odom"].as<std::string>();
     info.base_frame = session["frames"]["base"].as<std::string>();
     info.sensor = session["sensor"].as<std::string>();
+    if (const YAML::Node datum = session["datum"])
+      info.datum = GeodeticPosition{datum["latitude"].as<double>(), datum["longitude"].as<double>(),
+                                    datum["altitude"].as<double>()};
     info.parameters = flattened(session["parameters"]);
   } catch (const std::exception& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -13,8 +14,10 @@ namespace {
 /// Follows the log from entry to entry.
 class LogReplay {
  public:
-  LogReplay(const BackEndConfig& backend, bool with_solver)
-      : backend_(backend), solver_(backend), with_solver_(with_solver) {}
+  LogReplay(const StoredParameters& parameters, bool with_solver)
+      : backend_(parameters.backend),
+        solver_(parameters.backend, parameters.gnss),
+        with_solver_(with_solver) {}
 
   /// @throws std::runtime_error for an entry that does not follow those before.
   void take(const LogEntry& entry) {
@@ -47,16 +50,25 @@ class LogReplay {
   }
 
   void add(const ScansAdded& scans) {
-    for (const GraphNode& node : scans.nodes) {
+    for (GraphNode node : scans.nodes) {
       const bool is_first = graph.nodes.empty();
       if (node.id.value != graph.nodes.size() ||
           (!is_first && node.id.session != graph.nodes.front().id.session))
         throw std::runtime_error("scan " + std::to_string(node.id.value) +
                                  " does not follow what comes before");
+      const auto fixes = fixes_.find(node.id);
+      if (fixes != fixes_.end()) node.fixes = fixes->second;
       graph.nodes.push_back(node);
       if (with_solver_) solver_.add(node);
     }
   }
+
+  void add(const FixesAdded& added) {
+    fixes_.clear();
+    for (const auto& [carrier, fix] : added.fixes) fixes_[carrier].push_back(fix);
+  }
+
+  void add(const MapGeoreferenced& entry) { graph.georeference = entry.georeference; }
 
   void add(const GraphOptimised& optimised) {
     const auto is_beyond = [&](const LoopConstraint& loop) {
@@ -142,13 +154,14 @@ class LogReplay {
   bool with_solver_;
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_
   ScanId last_scan_;
+  std::map<ScanId, std::vector<GnssFix>> fixes_;  // of the scans that follow
   std::vector<Pose> T_map_keypose_, T_map_scan_;
 };
 
 /// Up to the first entry that does not follow those before.
-LogReplay replayed(const GraphLog& log, const BackEndConfig& backend, bool with_solver,
+LogReplay replayed(const GraphLog& log, const StoredParameters& parameters, bool with_solver,
                    std::string& problem) {
-  LogReplay replay(backend, with_solver);
+  LogReplay replay(parameters, with_solver);
   try {
     for (const LogEntry& entry : log.entries) replay.take(entry);
   } catch (const std::runtime_error& error) {
@@ -206,10 +219,10 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
   session.folder = folder;
   session.info = readSessionInfo(folder + "/session.yaml");
   const GraphLog log = readLogs(folder, notices);
-  const BackEndConfig backend = storedParameters(session.info).backend;
+  const StoredParameters parameters = storedParameters(session.info);
   std::string problem;
-  LogReplay replay = replayed(log, backend, false, problem);
-  if (!replay.isExact()) replay = replayed(log, backend, true, problem);
+  LogReplay replay = replayed(log, parameters, false, problem);
+  if (!replay.isExact()) replay = replayed(log, parameters, true, problem);
   if (!problem.empty())
     notices.push_back("the logs in '" + folder + "': " + problem + "; what follows is left out");
   if (!replay.isExact())

@@ -11,7 +11,7 @@ GraphSession::GraphSession(SessionId id, const SlamConfig& config, Stamp start,
                            const SessionTarget& target, OnCorrection on_correction)
     : id_(id),
       config_(config),
-      graph_(config.backend),
+      graph_(config.backend, config.gnss),
       on_correction_(std::move(on_correction)),
       log_(id, config, start, target, graph_) {}
 
@@ -38,8 +38,10 @@ void GraphSession::add(const LoopClosures& closures) {
       log_.add(storedLocalMap(**searched, closures.view.get()));
       unsearched_.erase(searched);
     }
-    if (!closures.constraints.empty())
+    if (!closures.constraints.empty() || graph_.hasNewFixes(closures.last_scan))
       optimise(closures.last_scan, closures.constraints, closures.request);
+    else if (closures.request != 0)
+      on_correction_(unchangedMap(id_, closures.request));
   });
 }
 
@@ -89,6 +91,7 @@ void GraphSession::answer(ScanId last, std::uint32_t request) {
     correction.T_map_scan.push_back(graph_.pose({i, id_}));
   correction.T_map_odom = graph_.T_map_odom();
   correction.loops = graph_.loops();
+  correction.georeference = graph_.georeference();
   correction.moved_end = graph_.movedEnd();
   correction.seconds = graph_.lastSolution().seconds;
   on_correction_(std::make_shared<const MapCorrection>(std::move(correction)));

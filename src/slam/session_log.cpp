@@ -65,6 +65,14 @@ void SessionLog::add(std::uint32_t version, ScanId last, std::vector<LoopConstra
   GraphOptimised entry = optimised(std::move(new_loops));
   entry.disabled = disabled;
   writer_->add(LogEntry(std::move(entry)));
+  writeGeoreference(*writer_);
+}
+
+void SessionLog::writeGeoreference(SessionWriter& writer) const {
+  const std::optional<Georeference> georeference = graph_.georeference();
+  if (!georeference) return;
+  writer.add(LogEntry(MapGeoreferenced{version_, *georeference}));
+  writer.setDatum(georeference->datum);
 }
 
 void SessionLog::add(const BackEndConfig& changed) {
@@ -161,6 +169,7 @@ void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) cons
   std::vector<LoopConstraint> loops;
   for (const LoopEdge& edge : graph_.loops()) loops.push_back(edge.loop);
   writer.add(LogEntry(optimised(std::move(loops))));
+  writeGeoreference(writer);
   writer.add(LogEntry(optimisedTrajectory()));
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "revisit_slam/pose_graph/back_end_config.h"
+#include "revisit_slam/pose_graph/gnss_factors.h"
 #include "revisit_slam/pose_graph/graph_node.h"
 #include "revisit_slam/pose_graph/pose_graph.h"
 #include "revisit_slam/pose_graph/pose_graph_solution.h"
@@ -13,11 +15,13 @@
 namespace revisit_slam {
 
 /// The pose graph of a drive: one node a scan, odometry edges between consecutive scans, loop edges
-/// between first scans of submaps, and the poses of the last good optimisation. It alone knows
+/// between first scans of submaps, positions of GNSS in a frame enu that is a node of its own, and
+/// the poses of the last good optimisation. It alone knows
 /// which node of a PoseGraph stands for which scan.
 class SlamGraph {
  public:
-  explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
+  explicit SlamGraph(const BackEndConfig& config, const GnssConfig& gnss = {})
+      : config_(config), gnss_(gnss) {}
 
   /// Takes effect with the next optimisation.
   void reconfigure(const BackEndConfig& config);
@@ -45,6 +49,11 @@ class SlamGraph {
   std::vector<Pose> poses() const;
   Pose T_map_odom() const { return T_map_odom_; }
 
+  /// Whether an optimisation up to this scan would have positions of GNSS that are new.
+  bool hasNewFixes(ScanId last) const { return gnss_.hasNew(nodeOfScan(last).value + 1); }
+  /// Where the map lies on the earth by the last optimisation.
+  std::optional<Georeference> georeference() const { return gnss_.georeference(); }
+
   /// Of the last optimisation with new loops; its time includes that of trying rejected ones.
   const PoseGraphSolution& lastSolution() const { return last_solution_; }
   /// How far the last optimisation moved scan `last`, m.
@@ -69,11 +78,13 @@ class SlamGraph {
   struct LoopGraph {
     PoseGraph graph;
     std::vector<LoopFactor> loops;
+    std::optional<GnssTerms> gnss;  // its node is the last one
   };
 
   /// Scans count from 0 without gaps, as nodes do.
   static NodeId nodeOfScan(ScanId id) { return NodeId{id.value}; }
   RelativePoseFactor factorOf(const Constraint& constraint) const;
+  RelativePoseFactor odometryEdge(std::size_t to) const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
   Batch append(const std::vector<LoopConstraint>& new_loops);
@@ -83,9 +94,10 @@ class SlamGraph {
   void tryRejected(ScanId last);
   bool overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                  const std::vector<FactorResidual>& residuals) const;
-  void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
+  void take(PoseGraphSolution& solution, const LoopGraph& solved);
 
   BackEndConfig config_;
+  GnssFactors gnss_;
   std::vector<GraphNode> nodes_;  // by NodeId
   std::vector<LoopEdge> loops_;   // by LoopId
   std::vector<Pose> optimised_;   // T_map_scan, by NodeId

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "revisit_slam/types/geodetic_position.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/stamp.h"
 #include "revisit_slam/util/parameters.h"
@@ -19,6 +21,8 @@ struct SessionInfo {
   std::string map_frame, odom_frame, base_frame;
   std::string sensor;                 ///< where the scans came from: topic, bag, frame
   std::vector<NamedText> parameters;  ///< in force at the start
+  /// Of the frame enu, as soon as the map is aligned with it.
+  std::optional<GeodeticPosition> datum;
 };
 
 /// The version of this software.
