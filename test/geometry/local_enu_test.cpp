@@ -30,7 +30,7 @@ TEST(LocalEnu, BackToTheEllipsoid) {
 }
 
 TEST(LocalEnu, TheEarthsCentreIsBelow) {
-  const Pose& T_ecef_enu = LocalEnu(kDatum).T_ecef_enu();
+  const Pose T_ecef_enu = LocalEnu(kDatum).T_ecef_enu();
   EXPECT_NEAR(T_ecef_enu.translation.norm(), 6.367e6, 1e4);
   const Eigen::Vector3d up = T_ecef_enu.rotation * Eigen::Vector3d::UnitZ();
   EXPECT_GT(up.dot(T_ecef_enu.translation.normalized()), 0.9999);
