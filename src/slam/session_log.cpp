@@ -85,6 +85,14 @@ void SessionLog::add(std::uint32_t version, ScanId last, std::vector<LoopConstra
   GraphOptimised entry = optimised(std::move(new_loops));
   entry.disabled = disabled;
   writer_->add(LogEntry(std::move(entry)));
+  writeGeoreference(*writer_);
+}
+
+void SessionLog::writeGeoreference(SessionWriter& writer) const {
+  const std::optional<Georeference> georeference = graph_.georeference();
+  if (!georeference) return;
+  writer.add(LogEntry(MapGeoreferenced{version_, *georeference}));
+  writer.setDatum(georeference->datum);
 }
 
 void SessionLog::add(const BackEndConfig& changed) {
@@ -187,6 +195,7 @@ void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) cons
   for (std::size_t i = loopsBefore(); i < graph_.loops().size(); ++i)
     loops.push_back(graph_.loops()[i].loop);
   writer.add(LogEntry(optimised(std::move(loops))));
+  writeGeoreference(writer);
   writer.add(LogEntry(optimisedTrajectory()));
 }
 

@@ -17,7 +17,7 @@ SessionMerge::SessionMerge(const SlamConfig& config, const std::vector<KnownMap>
                            OnSearch on_search)
     : config_(config),
       maps_(maps),
-      graph_(config.backend),
+      graph_(config.backend, config.gnss),
       closing_(config, outputs(std::move(on_search))) {
   addMaps();
   const ScanId last = graph_.nodes().back().id;

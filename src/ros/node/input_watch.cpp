@@ -31,6 +31,10 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string whySilent(const InputState& state) {
+  return describeSilence(state.topics, state.published, state.all_take_livox);
+}
+
 /// With another session an account begins at zero.
 bool isAnew(const ScanAccount& account, const ScanAccount& before) {
   return account.received < before.received || account.processed < before.processed ||
@@ -79,8 +83,7 @@ Verdict InputWatch::look(const InputState& state) {
                            ? "no scan yet on " + join(state.topics)
                            : number("%.1f", rate()) + " scans/s on " + join(state.topics);
   }
-  const std::string cause =
-      verdict.fault == Fault::nothing_comes ? describeSilence(state.topics, state.published) : "";
+  const std::string cause = verdict.fault == Fault::nothing_comes ? whySilent(state) : "";
   verdict.is_new =
       cause != cause_ || (verdict.fault != fault_ && !(isSmall(verdict.fault) && isSmall(fault_)));
   cause_ = cause;
@@ -118,16 +121,14 @@ std::optional<Verdict> InputWatch::judgeArrival(const InputState& state) const {
   if (!is_silent) return std::nullopt;
   if (state.arrived == 0)
     return Verdict{Level::warn, Fault::nothing_comes,
-                   "no scan in " + number("%.0f", state.now - *start_) +
-                       " s: " + describeSilence(state.topics, state.published),
+                   "no scan in " + number("%.0f", state.now - *start_) + " s: " + whySilent(state),
                    false};
   return Verdict{Level::warn, Fault::stopped, describeStop(state), false};
 }
 
 std::string InputWatch::describeStop(const InputState& state) const {
   return "no scan for " + number("%.0f", state.now - last_arrival_) +
-         " s (before: " + number("%.1f", last_rate_) +
-         " scans/s): " + describeSilence(state.topics, state.published) +
+         " s (before: " + number("%.1f", last_rate_) + " scans/s): " + whySilent(state) +
          "; at the end of the drive call back_end/finish";
 }
 
