@@ -121,7 +121,7 @@ class OdometryNodelet : public SlamNodelet {
   bool newestIsPlaced() const {
     const std::optional<Message> newest = queue_->newest();
     const ArrivedScan* scan = newest ? std::get_if<ArrivedScan>(&*newest) : nullptr;
-    return scan && placement_->knows(scan->frameId());
+    return scan && placement_->knows(scan->frame());
   }
 
   void startSession() {

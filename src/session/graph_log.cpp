@@ -263,7 +263,8 @@ FixesAdded getFixes(ByteReader& bytes) {
     for (int axis = 0; axis < 3; ++axis) fix.p_scan[axis] = bytes.get<double>();
     fix.position = getPosition(bytes);
     for (int i = 0; i < 9; ++i) fix.covariance_enu(i / 3, i % 3) = bytes.get<double>();
-    if (!fix.p_scan.allFinite() || !fix.covariance_enu.allFinite() || carrier < fix.scan)
+    if (!fix.p_scan.allFinite() || !fix.covariance_enu.allFinite() || carrier < fix.scan ||
+        carrier.session != fix.scan.session)
       throw std::runtime_error("a record has a position that is none");
   }
   return added;

@@ -26,6 +26,8 @@ void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
     known->T_map_scan.insert(known->T_map_scan.end(), T_map_scan.begin(), T_map_scan.end());
     known->loops.insert(known->loops.end(), map->loops.begin(), map->loops.end());
     known->session = map->nodes.back().id.session;
+    with_gnss_ |= std::any_of(map->nodes.begin(), map->nodes.end(),
+                              [](const GraphNode& node) { return !node.fixes.empty(); });
   }
   detector_.correct(known);
 }
@@ -91,8 +93,11 @@ void LoopClosing::begin(const LocalMapPtr& map) {
 }
 
 void LoopClosing::begin(const Across& across) {
-  hand(detector_.searchAcrossSessions(across.map, across.first),
-       [this, across] { hand(detector_.searchRetroactively(across.map), [] {}); });
+  const LoopSearchResult result = detector_.searchAcrossSessions(across.map, across.first);
+  const bool has_loops = !result.accepted().empty();
+  hand(result, [this, across, has_loops] {
+    if (has_loops) hand(detector_.searchRetroactively(across.map), [] {});
+  });
 }
 
 /// What the graph has rejected is no closure.

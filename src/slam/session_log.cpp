@@ -58,6 +58,8 @@ void SessionLog::writePrior(SessionWriter& writer) const {
   copyMaps(*target_.prior, writer);
   writer.add(
       LogEntry(SessionsTakenOver{target_.prior->loops, target_.prior->session.graph.T_map_scan}));
+  if (const auto& known = target_.prior->session.graph.georeference)
+    writer.add(LogEntry(MapGeoreferenced{0, *known}));
 }
 
 void SessionLog::keep(const MapUpdatePtr& update) {
@@ -202,7 +204,11 @@ void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) cons
 Session SessionLog::snapshot() const {
   std::vector<SubmapClosed> submaps = closed_before_;
   submaps.insert(submaps.end(), closed_.begin(), closed_.end());
-  return {target_.folder, info_, std::move(submaps), graphOf(graph_)};
+  SessionGraph graph = graphOf(graph_);
+  // Before the first optimisation the map lies where it was.
+  if (!graph.georeference && target_.prior)
+    graph.georeference = target_.prior->session.graph.georeference;
+  return {target_.folder, info_, std::move(submaps), std::move(graph)};
 }
 
 void SessionLog::flush(bool open_scans) {

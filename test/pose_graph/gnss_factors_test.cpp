@@ -128,6 +128,40 @@ TEST(GnssFactors, JumpsAndOutagesDoNotTearTheMap) {
   EXPECT_GE(graph.georeference()->outliers, 15u);
 }
 
+/// Of the drive without positions, as session 0, and once more with them, as session 1.
+SlamGraph graphOfTwoSessions() {
+  SlamGraph graph({}, connected());
+  for (GraphNode node : nodesOf({})) {
+    node.fixes.clear();
+    graph.add(node);
+  }
+  for (GraphNode node : nodesOf({})) {
+    node.id.session = SessionId{1};
+    for (GnssFix& fix : node.fixes) fix.scan.session = SessionId{1};
+    graph.add(node);
+  }
+  return graph;
+}
+
+TEST(GnssFactors, CountAtTheScansOfTheirSessionOnceItIsInTheMap) {
+  SlamGraph graph = graphOfTwoSessions();
+  const ScanId last{kNodes - 1, SessionId{1}};
+  graph.optimise(last, {});
+  EXPECT_FALSE(graph.georeference());
+  LoopConstraint loop;
+  loop.constraint = {ScanId{0}, ScanId{0, SessionId{1}}, Pose::identity(),
+                     correlatedInformation(0.01, 0.0005)};
+  loop.source.session = SessionId{1};
+  ASSERT_TRUE(graph.optimise(last, {loop}));
+  ASSERT_TRUE(graph.georeference());
+  EXPECT_EQ(graph.georeference()->fixes, kNodes / 2);
+  EXPECT_LT(graph.georeference()->outliers, 4u);
+  std::vector<Pose> poses = graph.poses();
+  poses.erase(poses.begin(), poses.begin() + kNodes);
+  for (Pose& T : poses) T = graph.georeference()->T_enu_map * T;
+  EXPECT_LT(positionError(poses, trueDrive()), 0.8);
+}
+
 TEST(GnssFactors, TooFewPositionsLeaveTheOdometry) {
   SlamGraph graph = graphOf({});
   EXPECT_TRUE(graph.optimise(ScanId{9}, {}));

@@ -54,6 +54,7 @@ std::vector<std::string> ScanSubscription::topics() const {
   if (given_topics_.empty() && !livox_is_named_) names.pop_back();
   return names;
 }
+
 std::vector<TypedTopic> publishedTopics() {
   ros::master::V_TopicInfo known;
   ros::master::getTopics(known);
