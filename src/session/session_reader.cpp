@@ -176,7 +176,7 @@ class LogReplay {
   }
 
   BackEndConfig backend_;
-  const GnssConfig gnss_;
+  GnssConfig gnss_;
   SlamGraph solver_;
   bool with_solver_;
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_

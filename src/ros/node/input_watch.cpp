@@ -32,7 +32,7 @@ std::string join(const std::vector<std::string>& words) {
 }
 
 std::string whySilent(const InputState& state) {
-  return describeSilence(state.topics, state.published, state.all_take_livox);
+  return describeSilence(state.topics, state.published, state.several_sensors);
 }
 
 /// With another session an account begins at zero.
@@ -160,10 +160,12 @@ std::optional<Verdict> InputWatch::judgeDrops(const InputState& state) const {
 }
 
 std::string InputWatch::describeOverload(const InputState& state, std::size_t dropped) const {
-  const bool too_slow = state.scan_seconds * last_rate_ > 1.0;
+  const double merged = state.several_sensors ? static_cast<double>(state.topics.size()) : 1.0;
+  const double sweeps = last_rate_ / merged;  // Hz
+  const bool too_slow = state.scan_seconds * sweeps > 1.0;
   return "the odometry does not keep up, " + std::to_string(dropped) +
          " scans were dropped of late: scans come every " +
-         number("%.0f", last_rate_ > 0.0 ? 1e3 / last_rate_ : 0.0) + " ms and take " +
+         number("%.0f", sweeps > 0.0 ? 1e3 / sweeps : 0.0) + " ms and take " +
          number("%.0f", 1e3 * state.scan_seconds) + " ms each" +
          (too_slow ? ": give it more threads (odometry/threads), or scans with fewer points "
                      "(odometry/map/voxel_size higher, odometry/max_range lower)"
