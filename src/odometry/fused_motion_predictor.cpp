@@ -16,8 +16,7 @@ constexpr double kUnknownRotation = 0.5;     // rad
 /// one that it confirms gets half of that back. A sensor that is new begins with the most: wheels
 /// with a wrong diameter would hold the registration before it could tell.
 constexpr double kDistrust = 4.0;
-constexpr double kRegain = 0.5;
-constexpr double kMostDistrust = 1e4;
+constexpr double kMostDistrust = 100.0;
 
 /// s: a turning body is taken as turning evenly for so long.
 constexpr double kSweepStep = 0.02;
@@ -84,13 +83,14 @@ FusedMotionPredictor::Fusion FusedMotionPredictor::fuse(Stamp stamp) const {
     Weighed& weighed = fusion.measurements.emplace_back(Weighed{measurement});
     if (!measurement.motion) continue;
     const MeasuredMotion& motion = *measurement.motion;
-    const auto distrust = distrust_.find(measurement.sensor);
-    weighed.covariance =
-        (distrust == distrust_.end() ? kMostDistrust : distrust->second) * motion.covariance;
+    const auto judged = distrust_.find(measurement.sensor);
+    const double distrust = judged == distrust_.end() ? kMostDistrust : judged->second;
+    weighed.covariance = distrust * motion.covariance;
     const Tangent innovation = log(predicted.T_previous_base.inverse() * motion.T_from_to);
     weighed.is_used = isWithin(gate_, innovation, *predicted.covariance + weighed.covariance);
     if (!weighed.is_used) continue;
-    weighed.error_scans = measurement.sensor == MotionPriors::kOdometry ? error_scans_ : 1.0;
+    if (measurement.sensor == MotionPriors::kOdometry)
+      weighed.error_scans = std::max(1.0, error_scans_ / distrust);
     const Matrix6 gain = update(weighed.covariance / weighed.error_scans, P);
     predicted.T_previous_base = boxplus(predicted.T_previous_base, gain * innovation);
     update(weighed.covariance, *predicted.covariance);
@@ -143,7 +143,7 @@ void FusedMotionPredictor::observe(Stamp stamp, const Pose& T_odom_base,
     const Fusion fusion = fuse(stamp);
     for (const Weighed& weighed : fusion.measurements) {
       judge(weighed, T_previous_base, information);
-      if (weighed.is_used) information_in_all += weighed.error_scans * weighed.covariance.inverse();
+      if (weighed.is_used) information_in_all += weighed.covariance.inverse();
     }
     priors_.observe(*previous_stamp_, stamp, T_previous_base,
                     evidenceOf(information, fusion.predicted));
@@ -174,7 +174,7 @@ void FusedMotionPredictor::judge(const Weighed& weighed, const Pose& T_previous_
   const Tangent error = log(motion.T_from_to.inverse() * T_previous_base);
   double& distrust = distrust_.try_emplace(weighed.measurement.sensor, kMostDistrust).first->second;
   distrust = isWithin(gate_, error, motion.covariance + weakly_known.inverse())
-                 ? std::max(1.0, kRegain * distrust)
+                 ? std::max(1.0, 0.5 * distrust)
                  : std::min(kMostDistrust, kDistrust * distrust);
 }
 

@@ -142,7 +142,7 @@ TEST(FusedMotionPredictor, BesideWheelsARegistrationCountsForOneOfManyScans) {
 
 TEST(FusedMotionPredictor, FollowsWheelsOfAnotherDiameterOnceItKnowsThat) {
   Vehicle vehicle(0.003);
-  for (int i = 0; i < 300; ++i) vehicle.go(10.0, 10.1);
+  for (int i = 0; i < 600; ++i) vehicle.go(10.0, 10.1);
   EXPECT_NEAR(vehicle.account().scale.value(), 10.0 / 10.1, 0.001);
   EXPECT_NEAR(vehicle.go(10.0, 10.1).T_previous_base.translation.x(), 1.0, 0.002);
 }

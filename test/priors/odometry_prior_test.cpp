@@ -67,7 +67,7 @@ TEST(OdometryPrior, ACovarianceOfTheVelocityIsTaken) {
   reading.velocity_covariance = covariance;
   prior.readings().take(reading);
   const Matrix6 of_motion = prior.motion(kStart, reading.stamp)->covariance;
-  EXPECT_NEAR(std::sqrt(of_motion(0, 0)), 0.05, 1e-3);
+  EXPECT_NEAR(std::sqrt(of_motion(0, 0)), std::hypot(0.05, 0.02 * 0.5), 1e-3);
   EXPECT_NEAR(std::sqrt(of_motion(5, 5)), 0.02, 1e-3);
   EXPECT_GT(of_motion(3, 3), 1e3);
 }
