@@ -11,7 +11,7 @@ using Field = sensor_msgs::PointField;
 
 /// Twice: what the first has decided is what the second meets.
 void readTwice(const std::string& datatype, const std::string& md5sum, const std::string& bytes) {
-  const RawMessage message{datatype, md5sum, "", {bytes.begin(), bytes.end()}};
+  const RawMessage message{datatype, md5sum, "", {bytes.begin(), bytes.end()}, {}};
   ScanReader reader({});
   reader.read(message);
   reader.read(message);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <pluginlib/class_list_macros.hpp>
+#include <utility>
 #include <variant>
 
 #include "revisit_slam/ros/messages/pose_conversions.h"
@@ -219,11 +220,12 @@ class OdometryNodelet : public SlamNodelet {
     addLidars(stage_->lidarAccounts(), status);
   }
 
-  /// What was held at the last diagnostics too has waited long enough for the next scan.
+  /// What is held while no scan comes for a second has waited long enough for the next one.
   void flushWhereNoneComes() {
+    const ros::WallTime now = ros::WallTime::now();
     const std::size_t received = stage_->account().received;
-    if (stage_->held() > 0 && received == received_before_) queue_->push(Flush{});
-    received_before_ = received;
+    if (std::exchange(received_before_, received) != received) received_at_ = now;
+    if (stage_->held() > 0 && (now - received_at_).toSec() > 1.0) queue_->push(Flush{});
   }
 
   // Of the queue's thread.
@@ -239,6 +241,7 @@ class OdometryNodelet : public SlamNodelet {
   double last_delay_ = 0.0;  // s
   RecentTimes scan_times_;
   std::size_t received_before_ = 0;
+  ros::WallTime received_at_;
 
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};

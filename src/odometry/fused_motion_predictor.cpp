@@ -35,13 +35,17 @@ bool isWithin(double gate, const Tangent& deviation, const Matrix6& covariance) 
   return true;
 }
 
-/// A Kalman update of the predicted motion.
-void update(const MeasuredMotion& measured, const Matrix6& covariance, PredictedMotion& predicted) {
-  Matrix6& P = *predicted.covariance;
-  const Tangent innovation = log(predicted.T_previous_base.inverse() * measured.T_from_to);
+/// The pose minimises both squared deviations, weighed by information.
+RegistrationEvidence evidenceOf(const Matrix6& information, const PredictedMotion& predicted) {
+  if (!predicted.is_measured) return {information, Matrix6::Identity()};
+  return {information, (information + predicted.information).inverse() * information};
+}
+
+/// A Kalman update of the covariance P by a measurement. @return the gain.
+Matrix6 update(const Matrix6& covariance, Matrix6& P) {
   const Matrix6 gain = P * (P + covariance).inverse();
-  predicted.T_previous_base = boxplus(predicted.T_previous_base, gain * innovation);
   P = symmetric(P - gain * P);
+  return gain;
 }
 
 }  // namespace
@@ -49,7 +53,10 @@ void update(const MeasuredMotion& measured, const Matrix6& covariance, Predicted
 FusedMotionPredictor::FusedMotionPredictor(const OdometryConfig& config,
                                            std::unique_ptr<MotionPredictor> predictor,
                                            const PriorsConfig& priors_config, MotionPriors& priors)
-    : predictor_(std::move(predictor)), gate_(priors_config.gate), priors_(priors) {
+    : predictor_(std::move(predictor)),
+      gate_(priors_config.gate),
+      error_scans_(priors_config.odometry.error_scans),
+      priors_(priors) {
   reconfigure(config);
 }
 
@@ -71,19 +78,26 @@ FusedMotionPredictor::Fusion FusedMotionPredictor::fuse(Stamp stamp) const {
   predicted = predictor_->predict(stamp);
   if (!previous_stamp_ || stamp <= *previous_stamp_) return fusion;
   predicted.covariance = covarianceOf(predicted);
+  Matrix6 P = *predicted.covariance;  // as the prediction is weighed beside the registration
   for (const MotionPriors::Measurement& measurement : priors_.measure(*previous_stamp_, stamp)) {
     Weighed& weighed = fusion.measurements.emplace_back(Weighed{measurement});
     if (!measurement.motion) continue;
     const MeasuredMotion& motion = *measurement.motion;
-    const auto distrust = distrust_.find(measurement.sensor);
-    weighed.covariance =
-        (distrust == distrust_.end() ? kMostDistrust : distrust->second) * motion.covariance;
+    const auto judged = distrust_.find(measurement.sensor);
+    const double distrust = judged == distrust_.end() ? kMostDistrust : judged->second;
+    weighed.covariance = distrust * motion.covariance;
     const Tangent innovation = log(predicted.T_previous_base.inverse() * motion.T_from_to);
     weighed.is_used = isWithin(gate_, innovation, *predicted.covariance + weighed.covariance);
-    if (weighed.is_used) update(motion, weighed.covariance, predicted);
-    predicted.is_measured |= weighed.is_used;
+    if (!weighed.is_used) continue;
+    if (measurement.sensor == MotionPriors::kOdometry)
+      weighed.error_scans = std::max(1.0, error_scans_ / distrust);
+    const Matrix6 gain = update(weighed.covariance / weighed.error_scans, P);
+    predicted.T_previous_base = boxplus(predicted.T_previous_base, gain * innovation);
+    update(weighed.covariance, *predicted.covariance);
+    predicted.is_measured = true;
   }
   if (!predicted.is_measured) return {predictor_->predict(stamp), fusion.measurements};
+  predicted.information = P.inverse();
   predicted.velocity = ConstantMotion(log(predicted.T_previous_base) / predicted.seconds);
   predicted.sweep = sweepOf(fusion, stamp);
   return fusion;
@@ -126,11 +140,13 @@ void FusedMotionPredictor::observe(Stamp stamp, const Pose& T_odom_base,
   Matrix6 information_in_all = information;
   if (previous_stamp_) {
     const Pose T_previous_base = T_odom_previous_.inverse() * T_odom_base;
-    for (const Weighed& weighed : fuse(stamp).measurements) {
+    const Fusion fusion = fuse(stamp);
+    for (const Weighed& weighed : fusion.measurements) {
       judge(weighed, T_previous_base, information);
       if (weighed.is_used) information_in_all += weighed.covariance.inverse();
     }
-    priors_.observe(*previous_stamp_, stamp, T_previous_base);
+    priors_.observe(*previous_stamp_, stamp, T_previous_base,
+                    evidenceOf(information, fusion.predicted));
   }
   predictor_->observe(stamp, T_odom_base, information_in_all);
   previous_stamp_ = stamp;

@@ -46,6 +46,11 @@ void select(const std::vector<float>& values, const VoxelFilter::Indices& indice
   for (const std::uint32_t index : indices) selected.push_back(values[index]);
 }
 
+/// Of a motion that was measured; others are weighed as the registration's configuration says.
+std::optional<Matrix6> weighedInformation(const PredictedMotion& predicted) {
+  return predicted.is_measured ? std::optional<Matrix6>(predicted.information) : std::nullopt;
+}
+
 /// m, the median distance from the sensor.
 double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base) {
   std::vector<float> ranges;
@@ -130,9 +135,9 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.sigma = sigmaFor(predicted);
   const RingSpacing rings =
       scan.views.empty() ? RingSpacing(scan.points, scan.T_base_sensor) : RingSpacing();
-  registered.registration = registration_.align(
-      registered.source_base, source_sweep_fractions_, map_, T_odom_predicted, registered.sigma,
-      rings, predicted.is_measured ? predicted.covariance : std::nullopt);
+  registered.registration =
+      registration_.align(registered.source_base, source_sweep_fractions_, map_, T_odom_predicted,
+                          registered.sigma, rings, weighedInformation(predicted));
   recover(predicted, rings, registered);
   registered.verdict = verdictOn(registered);
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);

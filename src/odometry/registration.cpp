@@ -69,12 +69,12 @@ struct Prediction {
   Matrix6 weight;
 };
 
-/// Without a covariance the weight is that of the configuration, in deskewed scans.
-Prediction predictionOf(const Pose& T_odom_predicted, const std::optional<Matrix6>& covariance,
+/// Without information the weight is that of the configuration, in deskewed scans.
+Prediction predictionOf(const Pose& T_odom_predicted, const std::optional<Matrix6>& information,
                         bool deskewed, const RegistrationConfig& config) {
   Matrix6 weight = Matrix6::Zero();
-  if (covariance) {
-    weight = kMatchVariance * covariance->inverse();
+  if (information) {
+    weight = kMatchVariance * *information;
   } else if (deskewed) {
     weight.diagonal().setConstant(config.prediction_weight);
   }
@@ -113,7 +113,7 @@ RegistrationResult Registration::align(const Points& points_base,
                                        const std::vector<float>& sweep_fractions,
                                        const LocalVoxelMap& map, const Pose& T_odom_predicted,
                                        double initial_sigma, const RingSpacing& rings,
-                                       const std::optional<Matrix6>& prediction_covariance) {
+                                       const std::optional<Matrix6>& prediction_information) {
   RegistrationResult result;
   result.T_odom_base = T_odom_predicted;
   if (map.empty()) return result;
@@ -122,7 +122,7 @@ RegistrationResult Registration::align(const Points& points_base,
     across_.push_back(rings.at(point.cast<double>(), map.pointSpacing()));
   const Source source{points_base, sweep_fractions, across_, mean(sweep_fractions)};
   const Prediction prediction =
-      predictionOf(T_odom_predicted, prediction_covariance, !sweep_fractions.empty(), config_);
+      predictionOf(T_odom_predicted, prediction_information, !sweep_fractions.empty(), config_);
   AnnealedSigma sigma(initial_sigma, config_);
   matches_.assign(points_base.size(), CachedMatch{});
   result.outcome = RegistrationOutcome::max_iterations;

@@ -66,8 +66,11 @@ std::optional<MeasuredMotion> MotionPriors::measure(const std::string& sensor, S
   return sensor == kOdometry ? odometry_.motion(from, to) : gyro_.motion(from, to);
 }
 
-void MotionPriors::observe(Stamp from, Stamp to, const Pose& T_from_to) {
+void MotionPriors::observe(Stamp from, Stamp to, const Pose& T_from_to,
+                           const RegistrationEvidence& evidence) {
   newest_scan_ = to;
+  odometry_.observe(from, to, T_from_to, evidence);
+  if (accounts_.count(kOdometry) > 0) account(kOdometry).scale = odometry_.scale();
   gyro_.observe(from, to, T_from_to);
   odometry_.readings().forgetBefore(to);
   gyro_.readings().forgetBefore(to);

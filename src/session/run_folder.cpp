@@ -37,11 +37,13 @@ json statistics(const std::map<std::string, std::vector<float>>& stage_ms) {
 
 json toJson(const std::map<std::string, PriorAccount>& priors) {
   json all = json::object();
-  for (const auto& [sensor, account] : priors)
+  for (const auto& [sensor, account] : priors) {
     all[sensor] = {
         {"messages", {{"received", account.received}, {"dropped", account.dropped}}},
         {"scans",
          {{"used", account.used}, {"rejected", account.rejected}, {"missing", account.missing}}}};
+    if (account.scale) all[sensor]["scale"] = *account.scale;
+  }
   return all;
 }
 

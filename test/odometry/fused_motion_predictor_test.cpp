@@ -131,6 +131,22 @@ TEST(FusedMotionPredictor, WhereTheTrackWasLostWheelsTellTheNextMotion) {
   EXPECT_NEAR(predicted.T_previous_base.translation.x(), 0.5, 0.02);
 }
 
+TEST(FusedMotionPredictor, BesideWheelsARegistrationCountsForOneOfManyScans) {
+  Vehicle vehicle(0.01);
+  for (int i = 0; i < 30; ++i) vehicle.go(10.0, 10.0);
+  const PredictedMotion predicted = vehicle.go(10.0, 10.0);
+  const Matrix6 honest = predicted.covariance->inverse();
+  EXPECT_GT(predicted.information(0, 0), 5.0 * honest(0, 0));
+  EXPECT_LT(predicted.information(0, 0), 60.0 * honest(0, 0));
+}
+
+TEST(FusedMotionPredictor, FollowsWheelsOfAnotherDiameterOnceItKnowsThat) {
+  Vehicle vehicle(0.003);
+  for (int i = 0; i < 600; ++i) vehicle.go(10.0, 10.1);
+  EXPECT_NEAR(vehicle.account().scale.value(), 10.0 / 10.1, 0.001);
+  EXPECT_NEAR(vehicle.go(10.0, 10.1).T_previous_base.translation.x(), 1.0, 0.002);
+}
+
 /// A registration that tells nothing cannot contradict.
 TEST(FusedMotionPredictor, WhereNothingIsRegisteredTheWheelsAreTrusted) {
   Vehicle vehicle(100.0);

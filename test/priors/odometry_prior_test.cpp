@@ -38,7 +38,7 @@ TEST(OdometryPrior, WithoutCovarianceTheErrorGrowsWithWhatWasTravelled) {
   const auto sigma = [&](double seconds, Eigen::Index axis) {
     return std::sqrt(prior.motion(kStart, kStart.plusSeconds(seconds))->covariance(axis, axis));
   };
-  EXPECT_NEAR(sigma(1.0, 0), 0.02 * 5.0, 0.01);
+  EXPECT_NEAR(sigma(1.0, 0), std::hypot(0.02, 0.005) * 5.0, 0.01);
   EXPECT_GT(sigma(1.0, 5), 0.002 * 5.0);
   EXPECT_NEAR(sigma(1.0, 0) / sigma(0.5, 0), 2.0, 0.05);
 }
@@ -53,7 +53,8 @@ TEST(OdometryPrior, AcrossTheWayTheErrorIsThatOfSlip) {
     return std::sqrt(axis.dot(covariance.topLeftCorner<3, 3>() * axis));
   };
   const double way = 0.1 * 3.0 * std::sqrt(2.0);
-  EXPECT_NEAR(sigma(Eigen::Vector3d(1.0, 1.0, 0.0).normalized()), 0.02 * way, 1e-3);
+  EXPECT_NEAR(sigma(Eigen::Vector3d(1.0, 1.0, 0.0).normalized()), std::hypot(0.02, 0.005) * way,
+              1e-3);
   EXPECT_LT(sigma(Eigen::Vector3d(1.0, -1.0, 0.0).normalized()), 0.01 * way);
   EXPECT_LT(sigma(Eigen::Vector3d::UnitZ()), 0.01 * way);
 }
@@ -66,7 +67,7 @@ TEST(OdometryPrior, ACovarianceOfTheVelocityIsTaken) {
   reading.velocity_covariance = covariance;
   prior.readings().take(reading);
   const Matrix6 of_motion = prior.motion(kStart, reading.stamp)->covariance;
-  EXPECT_NEAR(std::sqrt(of_motion(0, 0)), 0.05, 1e-3);
+  EXPECT_NEAR(std::sqrt(of_motion(0, 0)), std::hypot(0.05, 0.02 * 0.5), 1e-3);
   EXPECT_NEAR(std::sqrt(of_motion(5, 5)), 0.02, 1e-3);
   EXPECT_GT(of_motion(3, 3), 1e3);
 }
@@ -86,6 +87,60 @@ TEST(OdometryPrior, AStandstillIsNotKnownExactly) {
   for (const double t : {0.0, 0.1}) prior.readings().take(odometryAt(kStart, t, Tangent::Zero()));
   const auto motion = prior.motion(kStart, kStart.plusSeconds(0.1));
   EXPECT_GT(motion->covariance.diagonal().minCoeff(), 0.0);
+}
+
+/// Straight on at 5 m/s, 0.1 s a scan.
+class WheelsOfAnotherDiameter : public ::testing::Test {
+ protected:
+  static constexpr double kTrueScale = 1.015;
+
+  /// Registered metre by metre, `dragged` of each the wrong way.
+  void drive(int scans, double weight, double dragged = 0.0) {
+    const RegistrationEvidence evidence{weight * Matrix6::Identity(), Matrix6::Identity()};
+    for (int i = 0; i < scans; ++i, ++scan_) {
+      const Stamp from = kStart.plusSeconds(0.1 * scan_),
+                  to = kStart.plusSeconds(0.1 * scan_ + 0.1);
+      for (const double t : {0.1 * scan_, 0.1 * scan_ + 0.1})
+        prior_.readings().take(odometryAt(kStart, t, kForwards));
+      Pose T_from_to;
+      T_from_to.translation.x() = (1.0 - dragged) * kTrueScale * 0.5;
+      prior_.observe(from, to, T_from_to, evidence);
+    }
+  }
+  double sigma() const {
+    const auto motion =
+        prior_.motion(kStart.plusSeconds(0.1 * scan_ - 0.1), kStart.plusSeconds(0.1 * scan_));
+    return std::sqrt(motion->covariance(0, 0)) / motion->T_from_to.translation.x();
+  }
+
+  const Tangent kForwards = (Tangent() << 5.0, 0.0, 0.0, 0.0, 0.0, 0.0).finished();
+  OdometryPrior prior_{PriorsConfig{}};
+  int scan_ = 0;
+};
+
+TEST_F(WheelsOfAnotherDiameter, AreKnownAfterSomeWay) {
+  drive(10, 1e5);
+  EXPECT_EQ(prior_.scale(), 1.0);
+  const double before = sigma();
+  drive(290, 1e5);
+  EXPECT_NEAR(prior_.scale(), kTrueScale, 0.001);
+  EXPECT_LT(sigma(), 0.5 * before);
+  const auto motion = prior_.motion(kStart.plusSeconds(29.9), kStart.plusSeconds(30.0));
+  EXPECT_NEAR(motion->T_from_to.translation.x(), 0.5 * kTrueScale, 1e-3);
+}
+
+TEST_F(WheelsOfAnotherDiameter, KeepTheirScaleWhereTheRegistrationKnowsLittle) {
+  drive(300, 1e5);
+  const double before = prior_.scale();
+  drive(300, 10.0, 0.02);
+  EXPECT_NEAR(prior_.scale(), before, 0.001);
+}
+
+TEST_F(WheelsOfAnotherDiameter, AreNotJudgedByARegistrationGoneWrong) {
+  drive(300, 1e5);
+  const double before = prior_.scale();
+  drive(20, 1e5, 0.2);
+  EXPECT_EQ(prior_.scale(), before);
 }
 
 }  // namespace

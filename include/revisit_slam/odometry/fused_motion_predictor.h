@@ -12,7 +12,9 @@ namespace revisit_slam {
 
 /// The prediction of another predictor and the motions that sensors outside have measured, weighed
 /// by their covariances. A measurement that contradicts both the prediction and, scan after scan,
-/// the registration loses its weight: wheels that slip, or stand on something that moves.
+/// the registration loses its weight: wheels that slip, or stand on something that moves. Errors of
+/// the registration last as long as what causes them is in view: beside an odometry, whose errors
+/// are its own, it counts for one of many scans only (OdometryNoiseConfig::error_scans).
 class FusedMotionPredictor final : public MotionPredictor {
  public:
   /// `priors` must outlive this.
@@ -30,6 +32,7 @@ class FusedMotionPredictor final : public MotionPredictor {
     MotionPriors::Measurement measurement;
     Matrix6 covariance = Matrix6::Zero();
     bool is_used = false;  ///< it agrees with the prediction
+    double error_scans = 1.0;
   };
   struct Fusion {
     PredictedMotion predicted;
@@ -43,6 +46,7 @@ class FusedMotionPredictor final : public MotionPredictor {
 
   std::unique_ptr<MotionPredictor> predictor_;
   double gate_;
+  double error_scans_;
   MotionPriors& priors_;
   std::optional<Stamp> previous_stamp_;
   Pose T_odom_previous_;

@@ -30,8 +30,11 @@ struct PredictedMotion {
   /// about the motion. False at the first two scans and after a long gap.
   bool is_known = false;
   bool is_after_gap = false;  ///< too long since the previous scan to extrapolate all of it
-  bool is_measured =
-      false;  ///< by wheels, for one: what it misses is not an error of extrapolation
+  /// By wheels, for one: what it misses is not an error of extrapolation.
+  bool is_measured = false;
+  /// By which it is then weighed beside the registration: more than the inverse of `covariance`, as
+  /// errors of the registration last from scan to scan, and those of sensors do not.
+  Matrix6 information = Matrix6::Zero();
 };
 
 /// Predicts the motion of the base from scan to scan. Constant velocity is one way; wheels or a

@@ -32,12 +32,12 @@ class Registration {
 
   /// `sweep_fractions`: one for each point, or none; T_odom_predicted is then the first guess
   /// alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. With
-  /// `prediction_covariance`, of Log(T_odom_predicted^-1 T_odom_true), the prediction is weighed by
-  /// it in any case. Runs in the current TBB arena; the same bits for any number of threads.
+  /// `prediction_information`, of Log(T_odom_predicted^-1 T_odom_true), the prediction is weighed
+  /// by it in any case. Runs in the current TBB arena; the same bits for any number of threads.
   RegistrationResult align(const Points& points_base, const std::vector<float>& sweep_fractions,
                            const LocalVoxelMap& map, const Pose& T_odom_predicted,
                            double initial_sigma, const RingSpacing& rings = {},
-                           const std::optional<Matrix6>& prediction_covariance = {});
+                           const std::optional<Matrix6>& prediction_information = {});
 
  private:
   RegistrationConfig config_;

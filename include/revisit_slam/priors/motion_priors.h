@@ -43,7 +43,7 @@ class MotionPriors {
   std::optional<MeasuredMotion> measure(const std::string& sensor, Stamp from, Stamp to) const;
 
   /// The scan at the stamp `to` is registered; its measurements were used or not.
-  void observe(Stamp from, Stamp to, const Pose& T_from_to);
+  void observe(Stamp from, Stamp to, const Pose& T_from_to, const RegistrationEvidence& evidence);
   PriorAccount& account(const std::string& sensor) { return accounts_.at(sensor); }
   const std::map<std::string, PriorAccount>& accounts() const { return accounts_; }
   const Eigen::Vector3d& gyroBias() const { return gyro_.bias(); }

@@ -39,6 +39,15 @@ struct MeasuredMotion {
   Matrix6 covariance = Matrix6::Identity();
 };
 
+/// What a registration has to do with a pose that is made of it and of a prediction.
+struct RegistrationEvidence {
+  /// Of the registration alone, of right perturbations [m; rad]; singular, even zero, is welcome.
+  Matrix6 information = Matrix6::Zero();
+  /// How much of the registration's deviation from the prediction the pose has: near the identity
+  /// where the scan decides.
+  Matrix6 share = Matrix6::Identity();
+};
+
 /// A variance that says nothing, as drivers write it, too.
 constexpr double kUnmeasured = 1e6;
 

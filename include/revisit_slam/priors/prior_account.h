@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace revisit_slam {
@@ -14,6 +15,7 @@ struct PriorAccount {
   std::size_t used = 0;                        ///< scans whose prediction it entered
   std::size_t rejected = 0;                    ///< scans where it disagreed beyond the gate
   std::size_t missing = 0;                     ///< scans for which it had no readings
+  std::optional<double> scale;                 ///< of an odometry, as estimated so far
   bool is_silent = false;  ///< scans do not wait for it: its messages did not come in time
 };
 

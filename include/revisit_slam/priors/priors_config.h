@@ -7,20 +7,32 @@
 
 namespace revisit_slam {
 
-/// Errors of an odometry whose messages do not tell, as in the odometry motion model (Thrun et al.,
-/// Probabilistic Robotics, Sec. 5.4): standard deviations that grow with what was travelled.
+/// Errors of an odometry: a scale that is constant, and where messages do not tell, those of the
+/// odometry motion model (Thrun et al., Probabilistic Robotics, Sec. 5.4): standard deviations that
+/// grow with what was travelled.
 struct OdometryNoiseConfig {
-  double translation_per_metre = 0.02;
+  double initial_scale_error = 0.02;
+  double scale_walk = 2e-5;
+  double translation_per_metre = 0.005;
   double slip_per_metre = 0.004;
   double translation_per_radian = 0.05;
   double rotation_per_metre = 0.002;
   double rotation_per_radian = 0.03;
+  double error_scans = 50.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
+    v("initial_scale_error", initial_scale_error, Range{0.0, 1.0}, "",
+      "standard deviation of the scale at the start: 0.02 where a metre may be measured as 0.98 m. "
+      "Raise it if the diameter of the wheels is not known; lower it if they are calibrated");
+    v("scale_walk", scale_walk, Range{0.0, 0.1}, "1/sqrt(m)",
+      "change of the scale with the way. Raise it if load and tyre pressure change; lower it if "
+      "the "
+      "scale is noisy");
     v("translation_per_metre", translation_per_metre, Range{1e-4, 1.0}, "",
-      "error in metres along each metre travelled, where messages bear no covariance. Raise it if "
-      "wheels slip; lower it if the pose drifts along in bare surroundings");
+      "error in metres along each metre travelled beside that of the scale, where messages bear no "
+      "covariance. Raise it if wheels slip; lower it if the pose drifts along in bare "
+      "surroundings");
     v("slip_per_metre", slip_per_metre, Range{1e-4, 1.0}, "",
       "error in metres across each metre travelled, where messages bear no covariance. Raise it "
       "for "
@@ -34,6 +46,10 @@ struct OdometryNoiseConfig {
     v("rotation_per_radian", rotation_per_radian, Range{0.0, 1.0}, "",
       "error in radians of each radian turned, where messages bear no covariance. Raise it if "
       "wheels skid in turns; lower it if the heading slips in turns");
+    v("error_scans", error_scans, Range{1.0, 1e4}, "scans",
+      "for how long errors of the registration last, as of matches with a car that drives along: "
+      "beside the odometry it counts for so much less. Raise it if traffic drags the pose along; "
+      "lower it if wheels slip for seconds");
   }
 };
 

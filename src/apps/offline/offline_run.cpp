@@ -160,6 +160,7 @@ void OfflineRun::sayPriors() {
                        std::to_string(account.used) + " scans, rejected in " +
                        std::to_string(account.rejected) + ", missing in " +
                        std::to_string(account.missing);
+    if (account.scale) line += "; scale " + std::to_string(*account.scale);
     for (const auto& [reason, count] : account.dropped)
       line += "; dropped " + std::to_string(count) + ": " + reason;
     progress_.say(line);

@@ -130,6 +130,7 @@ void addPriors(const std::map<std::string, PriorAccount>& accounts,
     addValue(sensor + " used in scans", std::to_string(account.used), status);
     addValue(sensor + " rejected in scans", std::to_string(account.rejected), status);
     addValue(sensor + " missing in scans", std::to_string(account.missing), status);
+    if (account.scale) addValue(sensor + " scale", std::to_string(*account.scale), status);
     if (!account.is_silent) continue;
     if (status.level == status.OK) status.level = status.WARN;
     status.message += ", no messages of " + sensor;

@@ -2,6 +2,8 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <mutex>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "drive_with_loops.h"
@@ -9,6 +11,21 @@
 
 namespace revisit_slam {
 namespace {
+
+/// Without the last columns that name sessions: by the clock live, from 0 offline.
+std::string withoutSessions(const std::string& table) {
+  std::istringstream lines(table);
+  std::string shortened;
+  std::size_t named = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (shortened.empty())  // the header
+      for (auto at = line.find("session"); at != line.npos; at = line.find("session", at + 1))
+        ++named;
+    for (std::size_t n = 0; n < named; ++n) line.erase(line.rfind(','));
+    shortened += line + "\n";
+  }
+  return shortened;
+}
 
 TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
   DriveWithLoops& drive = DriveWithLoops::get();
@@ -34,8 +51,8 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
 
   for (const char* name : {"trajectory.tum", "trajectory_kitti.txt", "pose_graph.g2o",
                            "loop_closures.csv", "submaps/submaps.csv"})
-    EXPECT_EQ(textOf(folder.file(std::string("saved/") + name)),
-              textOf(drive.offline->results(name)))
+    EXPECT_EQ(withoutSessions(textOf(folder.file(std::string("saved/") + name))),
+              withoutSessions(textOf(drive.offline->results(name))))
         << name;
   EXPECT_GT(textOf(folder.file("saved/map.pcd")).size(), 100'000u);
   EXPECT_TRUE(slam.listener().drops().empty());
