@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace revisit_slam {
@@ -43,7 +44,7 @@ RegistrationEvidence evidenceOf(const Matrix6& information, const PredictedMotio
 
 /// A Kalman update of the covariance P by a measurement. @return the gain.
 Matrix6 update(const Matrix6& covariance, Matrix6& P) {
-  const Matrix6 gain = P * (P + covariance).inverse();
+  Matrix6 gain = P * (P + covariance).inverse();
   P = symmetric(P - gain * P);
   return gain;
 }
@@ -107,10 +108,12 @@ FusedMotionPredictor::Fusion FusedMotionPredictor::fuse(Stamp stamp) const {
 SweepMotion FusedMotionPredictor::sweepOf(const Fusion& fusion, Stamp stamp) const {
   const PredictedMotion& predicted = fusion.predicted;
   std::vector<Pose> T_stamp_base;
-  for (double seconds = kSweepStep; seconds < predicted.seconds + 0.5 * kSweepStep;
-       seconds += kSweepStep)
+  const long steps = std::lround(predicted.seconds / kSweepStep);
+  for (long step = 1; step <= steps; ++step) {
+    const double seconds = kSweepStep * static_cast<double>(step);
     T_stamp_base.push_back(predicted.velocity.after(-seconds) *
                            unevenness(fusion, stamp, std::min(seconds, predicted.seconds)));
+  }
   if (T_stamp_base.empty()) T_stamp_base.push_back(predicted.velocity.after(-kSweepStep));
   return SweepMotion(kSweepStep, T_stamp_base);
 }

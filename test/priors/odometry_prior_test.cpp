@@ -13,8 +13,8 @@ const Tangent kVelocity = (Tangent() << 5.0, 0.1, 0.0, 0.0, 0.02, 0.4).finished(
 
 OdometryPrior priorUntil(double end, double step = 0.1) {
   OdometryPrior prior{PriorsConfig{}};
-  for (double t = 0.0; t < end + 1e-9; t += step)
-    prior.readings().take(odometryAt(kStart, t, kVelocity));
+  for (int i = 0; i * step < end + 1e-9; ++i)
+    prior.readings().take(odometryAt(kStart, i * step, kVelocity));
   return prior;
 }
 

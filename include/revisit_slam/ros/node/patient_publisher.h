@@ -34,8 +34,8 @@ template <typename T>
 class PatientPublisher {
  public:
   PatientPublisher() = default;
-  PatientPublisher(ros::Publisher publisher, std::function<bool()> everybody_listens)
-      : publisher_(std::move(publisher)), everybody_listens_(std::move(everybody_listens)) {}
+  PatientPublisher(const ros::Publisher& publisher, std::function<bool()> everybody_listens)
+      : publisher_(publisher), everybody_listens_(std::move(everybody_listens)) {}
 
   void publish(const boost::shared_ptr<const T>& message) {
     if (waiting_.empty() && !open_) first_ = Clock::now();
