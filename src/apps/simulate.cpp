@@ -25,6 +25,7 @@
 #include "revisit_slam/simulation/gnss_receiver.h"
 #include "revisit_slam/simulation/motion_sensors.h"
 #include "revisit_slam/simulation/report.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {
