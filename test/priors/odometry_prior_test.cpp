@@ -95,8 +95,8 @@ class WheelsOfAnotherDiameter : public ::testing::Test {
   static constexpr double kTrueScale = 1.015;
 
   /// Registered metre by metre, `dragged` of each the wrong way.
-  void drive(int scans, double weight, double dragged = 0.0) {
-    const RegistrationEvidence evidence{weight * Matrix6::Identity(), Matrix6::Identity()};
+  void drive(int scans, double weight, double dragged = 0.0, double share = 1.0) {
+    const RegistrationEvidence evidence{weight * Matrix6::Identity(), share * Matrix6::Identity()};
     for (int i = 0; i < scans; ++i, ++scan_) {
       const Stamp from = kStart.plusSeconds(0.1 * scan_),
                   to = kStart.plusSeconds(0.1 * scan_ + 0.1);
@@ -132,8 +132,16 @@ TEST_F(WheelsOfAnotherDiameter, AreKnownAfterSomeWay) {
 TEST_F(WheelsOfAnotherDiameter, KeepTheirScaleWhereTheRegistrationKnowsLittle) {
   drive(300, 1e5);
   const double before = prior_.scale();
-  drive(300, 10.0, 0.02);
+  drive(300, 10.0, 0.01);  // within the gate
   EXPECT_NEAR(prior_.scale(), before, 0.001);
+}
+
+TEST_F(WheelsOfAnotherDiameter, AreNotConfirmedByPosesThatFollowThem) {
+  const double follows = 1.0 - 1.0 / kTrueScale;  // each pose is where the wheels say
+  drive(20, 1e5, follows, 0.05);
+  const double before = sigma();
+  drive(280, 1e5, follows, 0.05);
+  EXPECT_GT(sigma(), 0.8 * before);
 }
 
 TEST_F(WheelsOfAnotherDiameter, AreNotJudgedByARegistrationGoneWrong) {
