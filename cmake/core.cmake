@@ -11,6 +11,12 @@ find_package(tsl-robin-map REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+# By name: Debian and Ubuntu 20.04 call its library, and where CMake finds it, otherwise.
+find_path(GEOGRAPHICLIB_INCLUDE_DIR GeographicLib/Geocentric.hpp)
+find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic)
+if(NOT GEOGRAPHICLIB_INCLUDE_DIR OR NOT GEOGRAPHICLIB_LIBRARY)
+  message(FATAL_ERROR "GeographicLib is missing: libgeographiclib-dev, on Ubuntu 20.04 libgeographic-dev")
+endif()
 find_package(TBB QUIET CONFIG)
 if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
   find_library(TBB_LIBRARY tbb REQUIRED)
@@ -50,7 +56,8 @@ set(SYSTEM_BLAS "-Wl,--push-state,--no-as-needed,-lblas,--pop-state")
 target_link_libraries(revisit_slam_core
   PUBLIC Eigen3::Eigen TBB::tbb tsl::robin_map Threads::Threads opencv_core
   PRIVATE ${SYSTEM_BLAS} opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
-          ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json ZLIB::ZLIB)
+          ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json ZLIB::ZLIB
+          ${GEOGRAPHICLIB_LIBRARY})
 
 add_custom_target(check_layers ALL
   COMMAND ${CMAKE_COMMAND} "-DLAYERS=${REVISIT_SLAM_CORE_FOLDERS};simulation;ros;nodelets;apps"

@@ -12,7 +12,7 @@ BUILD_PACKAGES=(
   libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
   libceres-dev liboctomap-dev libopencv-dev
   libtbb-dev robin-map-dev libembree-dev libcli11-dev libyaml-cpp-dev
-  nlohmann-json3-dev libopenblas0-serial
+  nlohmann-json3-dev libopenblas0-serial libgeographiclib-dev
 )
 
 RUN_PACKAGES=(

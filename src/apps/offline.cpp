@@ -47,11 +47,22 @@ KnownMapPtr readPrior(const Options& options, const SlamConfig& config) {
   return prior;
 }
 
-std::unique_ptr<ScanSource> openSource(const Options& options, const PriorsConfig& priors) {
-  if (options.dataset.empty()) return openBags(options.bags, options.topic, priors);
-  if (MotionPriors(priors).isConnected())
+/// Those of several sensors, or the one of the command line.
+std::string topicsOf(const Options& options, const SlamConfig& config) {
+  if (config.input.topics.empty()) return options.topic;
+  if (!options.topic.empty())
+    throw ParameterError("--points and input/topics both name topics: give one of them");
+  return config.input.topics;
+}
+
+std::unique_ptr<ScanSource> openSource(const Options& options, const SlamConfig& config) {
+  if (options.dataset.empty())
+    return openBags(options.bags, topicsOf(options, config), config.priors, config.gnss);
+  if (MotionPriors(config.priors).isConnected() || config.gnss.isConnected() ||
+      !config.input.topics.empty())
     throw ParameterError(
-        "priors/…_topic and priors/odometry_frame name topics of bags: datasets "
+        "input/topics, priors/…_topic, priors/odometry_frame and gnss/topic name topics of bags: "
+        "datasets "
         "have none");
   return openDatasetSource(options.dataset.front(), options.dataset.back());
 }
@@ -110,8 +121,8 @@ int main(int argc, char** argv) {
   try {
     options = revisit_slam::parseOptions(app, argc, argv);
     const revisit_slam::SlamConfig config = revisit_slam::configOf(options);
-    revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config.priors),
-                                 options.out, options.extent, options.quiet,
+    revisit_slam::OfflineRun run(config, revisit_slam::openSource(options, config), options.out,
+                                 options.extent, options.quiet,
                                  revisit_slam::readPrior(options, config));
     has_begun = true;
     run.run();

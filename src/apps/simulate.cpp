@@ -2,26 +2,46 @@
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/Imu.h>
+#include <sensor_msgs/NavSatFix.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <memory>
 #include <sstream>
 
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/simulation/drive.h"
+#include "revisit_slam/simulation/gnss_receiver.h"
 #include "revisit_slam/simulation/motion_sensors.h"
 #include "revisit_slam/simulation/report.h"
+#include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam::simulation {
 namespace {
+
+/// A sensor beside the first one.
+struct FurtherSensor {
+  std::string kind;
+  Pose T_base_sensor;
+  int number;  ///< of its topic and frame, from 2
+};
+
+/// A piece of the drive in which a sensor is lost, s since its start.
+struct LostPiece {
+  int sensor;
+  double begin, end;
+};
 
 struct Options {
   std::string out;
@@ -33,8 +53,13 @@ struct Options {
   ScanConfig scan;
   WheelConfig wheels;
   ImuConfig imu;
+  GnssReceiverConfig gnss;
   bool with_wheels = false;
   bool with_imu = false;
+  bool with_gnss = false;
+  std::vector<std::string> also, lose;
+  std::vector<FurtherSensor> further;
+  std::vector<LostPiece> lost;
   double height = 0.0;
   double start_time = 1700000000.0;
   int columns = 0;
@@ -100,6 +125,19 @@ void declareSensor(CLI::App& app, Options& o) {
   app.add_flag("--deskewed", o.scan.deskewed, "cast all rays of a scan from the pose at its end");
 }
 
+void declareFurtherSensors(CLI::App& app, Options& o) {
+  app.add_option(
+         "--also", o.also,
+         "one more sensor, \"KIND x y z yaw\" on base_link (m, deg), on /points_2, /points_3 and "
+         "so on, out of phase with the others; may be repeated")
+      ->take_all();
+  app.add_option(
+         "--lose", o.lose,
+         "\"SENSOR FROM TO\": no messages of the sensor with this number, from 1, between these "
+         "times (s); may be repeated")
+      ->take_all();
+}
+
 void declareMotionSensors(CLI::App& app, Options& o) {
   app.add_flag("--wheels", o.with_wheels, "write /wheel_odometry, nav_msgs/Odometry");
   app.add_option("--wheel-scale-error", o.wheels.scale_error,
@@ -119,6 +157,29 @@ void declareMotionSensors(CLI::App& app, Options& o) {
       ->capture_default_str();
 }
 
+void declareGnss(CLI::App& app, Options& o) {
+  app.add_flag(
+      "--gnss", o.with_gnss,
+      "write /fix, sensor_msgs/NavSatFix; the world's origin is at latitude 48.1, longitude "
+      "11.6, altitude 520 m, and its x axis points east");
+  app.add_option("--gnss-rate", o.gnss.rate, "Hz")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  app.add_option("--gnss-noise", o.gnss.noise,
+                 "metres, standard deviation on each horizontal axis; twice as much upwards")
+      ->check(CLI::Range(0.001, 100.0))
+      ->capture_default_str();
+  app.add_option("--gnss-outages", o.gnss.outages, "share of the time without positions")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--gnss-jumps", o.gnss.jumps, "how often positions are displaced for 5 s")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--gnss-jump", o.gnss.jump, "metres by which they are displaced")
+      ->check(CLI::Range(0.0, 10000.0))
+      ->capture_default_str();
+}
+
 void declareRun(CLI::App& app, Options& o) {
   app.add_option("--out", o.out, "bag to write; FILE.gt.tum and FILE.json are put beside it")
       ->required();
@@ -128,16 +189,38 @@ void declareRun(CLI::App& app, Options& o) {
   app.add_flag("--quiet", o.quiet, "no progress");
 }
 
+void completeSensors(Options& o) {
+  for (const std::string& text : o.also) {
+    std::istringstream words(text);
+    FurtherSensor sensor{"", {}, static_cast<int>(o.further.size()) + 2};
+    Eigen::Vector3d& t = sensor.T_base_sensor.translation;
+    double yaw = 0.0;
+    if (!(words >> sensor.kind >> t.x() >> t.y() >> t.z() >> yaw))
+      throw ParameterError("--also is '" + text + "', not \"KIND x y z yaw\"");
+    sensor.T_base_sensor.rotation = expSO3({0.0, 0.0, yaw * M_PI / 180.0});
+    o.further.push_back(sensor);
+  }
+  for (const std::string& text : o.lose) {
+    std::istringstream words(text);
+    LostPiece piece{};
+    if (!(words >> piece.sensor >> piece.begin >> piece.end))
+      throw ParameterError("--lose is '" + text + "', not \"SENSOR FROM TO\"");
+    o.lost.push_back(piece);
+  }
+}
+
 void complete(Options& o) {
+  completeSensors(o);
   o.route.world = worldKindOf(o.world);
   o.route.motion = o.motion == "handheld" ? MotionKind::kHandheld : MotionKind::kVehicle;
   o.route.start = Stamp::fromSeconds(o.start_time);
   o.scan.seed = o.route.seed + 1000 * static_cast<std::uint64_t>(o.route.visit.number);
-  o.wheels.seed = o.imu.seed = o.scan.seed;
+  o.wheels.seed = o.imu.seed = o.gnss.seed = o.scan.seed;
   if (o.height <= 0.0) o.height = o.motion == "handheld" ? 1.5 : 1.8;
   o.scan.T_base_sensor.translation = {0.0, 0.0, o.height};
   // Turned by a right angle, so that whoever forgets the mounting notices.
   o.imu.T_base_imu = {expSO3({0.0, 0.0, 0.5 * M_PI}), {0.2, -0.1, 0.5 * o.height}};
+  o.gnss.p_base_antenna = {-0.6, 0.3, o.height - 0.2};
   if (o.still) o.traffic.moving_cars = 0;
 }
 
@@ -147,11 +230,12 @@ class CloudWriter {
   CloudWriter(const SensorModel& sensor, bool with_times)
       : kind_(sensor.kind), with_times_(with_times) {}
 
-  sensor_msgs::PointCloud2 write(const SimulatedScan& scan, std::uint32_t sequence) {
+  sensor_msgs::PointCloud2 write(const SimulatedScan& scan, std::uint32_t sequence,
+                                 const std::string& frame = "lidar") {
     sensor_msgs::PointCloud2 cloud;
     cloud.header.seq = sequence;
     cloud.header.stamp.fromNSec(static_cast<std::uint64_t>(scan.first.nanoseconds));
-    cloud.header.frame_id = "lidar";
+    cloud.header.frame_id = frame;
     declareFields(cloud);
     cloud.height = 1;
     cloud.width = static_cast<std::uint32_t>(scan.scan.points.size());
@@ -218,7 +302,7 @@ class CloudWriter {
   std::uint8_t* target_ = nullptr;
 };
 
-geometry_msgs::TransformStamped mounting(const char* frame, const Pose& T_base_sensor,
+geometry_msgs::TransformStamped mounting(const std::string& frame, const Pose& T_base_sensor,
                                          Stamp start) {
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = toRosTime(start);
@@ -231,7 +315,13 @@ geometry_msgs::TransformStamped mounting(const char* frame, const Pose& T_base_s
 void writeMountings(rosbag::Bag& bag, const Options& o, Stamp start) {
   tf2_msgs::TFMessage message;
   message.transforms.push_back(mounting("lidar", o.scan.T_base_sensor, start));
+  for (const FurtherSensor& sensor : o.further)
+    message.transforms.push_back(
+        mounting("lidar_" + std::to_string(sensor.number), sensor.T_base_sensor, start));
   if (o.with_imu) message.transforms.push_back(mounting("imu", o.imu.T_base_imu, start));
+  if (o.with_gnss)
+    message.transforms.push_back(
+        mounting("gnss", {Eigen::Quaterniond::Identity(), o.gnss.p_base_antenna}, start));
   auto connection = boost::make_shared<ros::M_string>();
   using Traits = ros::message_traits::MD5Sum<tf2_msgs::TFMessage>;
   (*connection)["topic"] = "/tf_static";
@@ -269,6 +359,28 @@ sensor_msgs::Imu messageOf(const ImuSample& sample) {
   return message;
 }
 
+sensor_msgs::NavSatFix messageOf(const GnssSample& sample) {
+  sensor_msgs::NavSatFix message;
+  message.header.stamp = toRosTime(sample.stamp);
+  message.header.frame_id = "gnss";
+  message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
+  if (!sample.has_position) {
+    message.status.status = sensor_msgs::NavSatStatus::STATUS_NO_FIX;
+    message.latitude = message.longitude = message.altitude =
+        std::numeric_limits<double>::quiet_NaN();
+    return message;
+  }
+  message.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
+  message.latitude = sample.position.latitude;
+  message.longitude = sample.position.longitude;
+  message.altitude = sample.position.altitude;
+  const double variance = sample.deviation * sample.deviation;
+  message.position_covariance[0] = message.position_covariance[4] = variance;
+  message.position_covariance[8] = 4.0 * variance;
+  message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN;
+  return message;
+}
+
 /// Writes the readings of one sensor in the order of time, between the scans.
 template <typename Reading>
 class ReadingWriter {
@@ -286,6 +398,48 @@ class ReadingWriter {
   const char* topic_;
   std::vector<Reading> readings_;
   std::size_t next_ = 0;
+};
+
+bool isLost(const Options& o, int sensor, double seconds) {
+  return std::any_of(o.lost.begin(), o.lost.end(), [&](const LostPiece& piece) {
+    return piece.sensor == sensor && piece.begin <= seconds && seconds < piece.end;
+  });
+}
+
+/// Writes the scans of the sensors beside the first one.
+class FurtherSensorsWriter {
+ public:
+  FurtherSensorsWriter(rosbag::Bag& bag, const Options& o, const World& world, const Route& route)
+      : bag_(bag), o_(o), start_(route.start()) {
+    for (const FurtherSensor& sensor : o.further) {
+      ScanConfig config = o.scan;
+      config.seed += 7777 * static_cast<std::uint64_t>(sensor.number);
+      config.T_base_sensor = sensor.T_base_sensor;
+      simulators_.push_back(std::make_unique<ScanSimulator>(
+          world, route, makeSensor(sensor.kind, o.columns), config));
+    }
+  }
+
+  /// Those that begin after the first sensor's scan of this number and before its next.
+  void write(int index, Stamp first) {
+    constexpr double phase = 0.031;  // s, between one sensor and the next
+    for (std::size_t i = 0; i < simulators_.size(); ++i) {
+      const int number = o_.further[i].number;
+      const Stamp begin = first.plusSeconds(std::fmod(phase * static_cast<double>(i + 1), 0.1));
+      if (isLost(o_, number, secondsBetween(start_, begin))) continue;
+      CloudWriter writer(simulators_[i]->sensor(), !o_.no_times);
+      const auto cloud =
+          writer.write(simulators_[i]->simulate(begin), static_cast<std::uint32_t>(index),
+                       "lidar_" + std::to_string(number));
+      bag_.write("/points_" + std::to_string(number), cloud.header.stamp, cloud);
+    }
+  }
+
+ private:
+  rosbag::Bag& bag_;
+  const Options& o_;
+  const Stamp start_;
+  std::vector<std::unique_ptr<ScanSimulator>> simulators_;
 };
 
 /// A bar with rate and time left on a terminal, a line every ten per cent elsewhere.
@@ -320,6 +474,12 @@ class Progress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
+  return all;
+}
+
 /// Every option that was given or has a default, but those that do not change the result.
 std::vector<std::pair<std::string, std::string>> optionsOf(const Options& o) {
   const auto number = [](double value) {
@@ -350,7 +510,15 @@ std::vector<std::pair<std::string, std::string>> optionsOf(const Options& o) {
           {"deskewed", flag(o.scan.deskewed)},
           {"start-time", number(o.start_time)},
           {"wheels", flag(o.with_wheels)},
-          {"imu", flag(o.with_imu)}};
+          {"imu", flag(o.with_imu)},
+          {"gnss", flag(o.with_gnss)},
+          {"gnss-rate", number(o.gnss.rate)},
+          {"gnss-noise", number(o.gnss.noise)},
+          {"gnss-outages", number(o.gnss.outages)},
+          {"gnss-jumps", std::to_string(o.gnss.jumps)},
+          {"gnss-jump", number(o.gnss.jump)},
+          {"also", quoted(joined(o.also))},
+          {"lose", quoted(joined(o.lose))}};
 }
 
 std::string besides(const std::string& bag, const std::string& ending) {
@@ -377,7 +545,8 @@ struct Summary {
 constexpr double kReadingsAfterEnd = 0.1;  // s
 
 /// Writes all scans; the bag is whole when this returns.
-Summary writeBag(const Options& o, const Route& route, const ScanSimulator& simulator, int count) {
+Summary writeBag(const Options& o, const World& world, const Route& route,
+                 const ScanSimulator& simulator, int count) {
   rosbag::Bag bag(o.out, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::LZ4);
   writeMountings(bag, o, route.start());
@@ -387,14 +556,20 @@ Summary writeBag(const Options& o, const Route& route, const ScanSimulator& simu
       o.with_wheels ? simulateWheels(route, end, o.wheels) : std::vector<WheelReading>());
   ReadingWriter<ImuSample> imu(
       bag, "/imu", o.with_imu ? simulateImu(route, end, o.imu) : std::vector<ImuSample>());
+  ReadingWriter<GnssSample> gnss(
+      bag, "/fix", o.with_gnss ? simulateGnss(route, end, o.gnss) : std::vector<GnssSample>());
   CloudWriter writer(simulator.sensor(), !o.no_times);
+  FurtherSensorsWriter further(bag, o, world, route);
   Progress progress(count, o.quiet);
   Summary summary;
   const auto record = [&](int index, const SimulatedScan& scan) {
     const auto cloud = writer.write(scan, static_cast<std::uint32_t>(index));
     wheels.writeUntil(scan.first);
     imu.writeUntil(scan.first);
-    bag.write("/points", cloud.header.stamp, cloud);
+    gnss.writeUntil(scan.first);
+    if (!isLost(o, 1, secondsBetween(route.start(), scan.first)))
+      bag.write("/points", cloud.header.stamp, cloud);
+    further.write(index, scan.first);
     summary.last_points.push_back(scan.scan.stamp);
     summary.points += cloud.width;
     progress.show(index + 1);
@@ -402,6 +577,7 @@ Summary writeBag(const Options& o, const Route& route, const ScanSimulator& simu
   simulateDrive(simulator, route, count, o.threads, record);
   wheels.writeUntil(end);
   imu.writeUntil(end);
+  gnss.writeUntil(end);
   bag.close();
   return summary;
 }
@@ -432,7 +608,7 @@ void run(Options o) {
                  o.world.c_str(), route.length(), secondsBetween(route.start(), route.end()), count,
                  world.still.triangles.size(), world.cars.size());
   }
-  const Summary summary = writeBag(o, route, simulator, count);
+  const Summary summary = writeBag(o, world, route, simulator, count);
   writeTruth(besides(o.out, ".gt.tum"), route, summary.last_points);
   writeReport(besides(o.out, ".json"), reportOf(o, route, world, summary));
 }
@@ -447,7 +623,9 @@ int main(int argc, char** argv) {
   revisit_slam::simulation::declareRun(app, options);
   revisit_slam::simulation::declareDrive(app, options);
   revisit_slam::simulation::declareSensor(app, options);
+  revisit_slam::simulation::declareFurtherSensors(app, options);
   revisit_slam::simulation::declareMotionSensors(app, options);
+  revisit_slam::simulation::declareGnss(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
     revisit_slam::simulation::run(options);

@@ -22,7 +22,13 @@ MapUpdate MapBuilder::insert(const RegisteredScan& scan, const SubmapStart& star
   open_ = true;
   const Pose T_submap_base = T_odom_submap_.inverse() * scan.T_odom_base;
   detail_.insert(scan.points_base, T_submap_base);
-  if (with_occupancy_) occupancy_.insert(scan.points_base, T_submap_base, scan.sensor_base);
+  if (with_occupancy_) {
+    occupancy_.insert(scan.points_base, T_submap_base, scan.sensor_base, scan.views);
+    const Pose from = T_odom_last_.value_or(scan.T_odom_base);
+    occupancy_.drive(T_odom_submap_.inverse() * from, T_submap_base, scan.sensor_base);
+  }
+  T_odom_last_.reset();
+  if (scan.verdict != PoseVerdict::lost) T_odom_last_ = scan.T_odom_base;
   return update;
 }
 

@@ -6,6 +6,7 @@
 #include <future>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "revisit_slam/ros/node/georeference_topics.h"
 #include "revisit_slam/ros/node/graph_display.h"
 #include "revisit_slam/ros/node/graph_services.h"
 #include "revisit_slam/ros/node/graph_status.h"
@@ -47,6 +48,7 @@ class BackEndNodelet : public SlamNodelet {
     ros::NodeHandle& node = getNodeHandle();
     requireWritable(config_.live);
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
+    georeference_ = std::make_unique<GeoreferenceTopics>(node, config_);
     stage_ = std::make_unique<BackEnd>(
         config_, [this](const MapCorrectionPtr& correction) { publish(correction); },
         [this](SessionId session, Stamp start) {
@@ -148,6 +150,7 @@ class BackEndNodelet : public SlamNodelet {
     correction_publisher_.publish(toBoostPointer(correction));
     if (correction->version == 0) return;
     broadcaster_->correct(correction->session, correction->T_map_odom);
+    georeference_->publish(*correction);
     status_.noteCorrection(*correction);
   }
 
@@ -183,6 +186,7 @@ class BackEndNodelet : public SlamNodelet {
 
   // Of the lane.
   std::string sensor_frame_;
+  std::unique_ptr<GeoreferenceTopics> georeference_;
   std::unique_ptr<BackEnd> stage_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;

@@ -7,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "revisit_slam/ros/input/arrived_scan.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/input_report.h"
@@ -30,7 +29,7 @@ class OdometryNodelet : public SlamNodelet {
   OdometryNodelet() : SlamNodelet("odometry") {}
   ~OdometryNodelet() override {
     stopDiagnostics();
-    scans_.unsubscribe();
+    if (scans_) scans_->unsubscribe();
     motion_inbox_.unsubscribe();
     reset_service_.shutdown();
     live_parameters_.reset();
@@ -46,9 +45,9 @@ class OdometryNodelet : public SlamNodelet {
     ros::NodeHandle& node = getNodeHandle();
     ros::NodeHandle& private_node = getPrivateNodeHandle();
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
-    reader_ = std::make_unique<ScanReader>(config_.input);
+    scans_ = std::make_unique<ScanSubscription>(config_.input);
     motion_reader_ = std::make_unique<MotionReader>(
-        config_.priors, [this](const std::string& frame) { return place(frame); });
+        config_.priors, config_.gnss, [this](const std::string& frame) { return place(frame); });
     stage_ = std::make_unique<OdometryStage>(config_, now);
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
@@ -64,10 +63,10 @@ class OdometryNodelet : public SlamNodelet {
         config_.live.queue_size,
         [this](const Message& message) { guarded([&] { handle(message); }); },
         [this] { onQueueFull(); });
-    motion_inbox_.subscribe(node, config_.priors, [this] {
+    motion_inbox_.subscribe(node, config_.priors, config_.gnss, [this] {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });
-    scans_.subscribe(
+    scans_->subscribe(
         node, [this](const ArrivedScan& scan) { queue_->push(scan); },
         [this](const std::string& fault) { onDamaged(fault); });
   }
@@ -107,7 +106,7 @@ class OdometryNodelet : public SlamNodelet {
 
   void take(const ArrivedScan& arrived) {
     StageClock clock;
-    ScanReading reading = arrived.readBy(*reader_);
+    ScanReading reading = scans_->read(arrived);
     if (reading.scan) {
       const std::optional<Pose> T_base_sensor = place(reading.frame_id);
       if (!T_base_sensor) return drop("no transform from '" + reading.frame_id + "'");
@@ -123,7 +122,7 @@ class OdometryNodelet : public SlamNodelet {
   bool newestIsPlaced() const {
     const std::optional<Message> newest = queue_->newest();
     const ArrivedScan* scan = newest ? std::get_if<ArrivedScan>(&*newest) : nullptr;
-    return scan && placement_->knows(scan->frameId());
+    return scan && placement_->knows(scan->frame());
   }
 
   void startSession() {
@@ -165,7 +164,7 @@ class OdometryNodelet : public SlamNodelet {
       last_registration_ = result.output.scan->registration;
       last_delay_ = secondsBetween(result.output.scan->stamp, toStamp(ros::Time::now()));
     }
-    report_.noteTimes(reader_->description(), reader_->remedy());
+    report_.noteTimes(scans_->description(), scans_->remedy());
   }
 
   // In any thread.
@@ -204,11 +203,11 @@ class OdometryNodelet : public SlamNodelet {
 
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override {
     addValue("scans waiting", std::to_string(queue_->waiting()), status);
-    report_.askMaster(scans_);
+    report_.askMaster(*scans_);
     countUncounted();
     const std::lock_guard<std::mutex> lock(mutex_);
     flushWhereNoneComes();
-    report_.tell(scans_, queue_->waiting(), placement_->fault(), scan_times_.median(), *stage_,
+    report_.tell(*scans_, queue_->waiting(), placement_->fault(), scan_times_.median(), *stage_,
                  status);
     addValue("messages", stage_->sweepForm(), status);
     addValue("registration", toString(last_registration_.outcome), status);
@@ -217,7 +216,8 @@ class OdometryNodelet : public SlamNodelet {
     addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
     addValue("scans held until the next", std::to_string(stage_->held()), status);
     addAccount(stage_->account(), status);
-    addPriors(stage_->priors().accounts(), status);
+    addPriors(stage_->sensorAccounts(), status);
+    addLidars(stage_->lidarAccounts(), status);
   }
 
   /// What is held while no scan comes for a second has waited long enough for the next one.
@@ -229,7 +229,7 @@ class OdometryNodelet : public SlamNodelet {
   }
 
   // Of the queue's thread.
-  std::unique_ptr<ScanReader> reader_;
+  std::unique_ptr<ScanSubscription> scans_;
   std::unique_ptr<MotionReader> motion_reader_;
   std::unique_ptr<SensorPlacement> placement_;
   std::unique_ptr<OdometryTopics> topics_;
@@ -248,7 +248,6 @@ class OdometryNodelet : public SlamNodelet {
   ros::ServiceServer reset_service_;
   MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
-  ScanSubscription scans_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };
 

@@ -21,10 +21,10 @@ VoxelMask above(const BlockCounter& counter, int plane) {
   return mask;
 }
 
-BlockCounts compact(const BlockCounter& hits, const BlockCounter& misses) {
+BlockCounts compact(const BlockCounter& hits, const BlockCounter& misses, const VoxelMask& driven) {
   const VoxelMask large = above(hits, 2) | above(misses, 2);
   BlockCounts counts{{hits.planes[0] & ~large, hits.planes[1] & ~large, misses.planes[0] & ~large,
-                      misses.planes[1] & ~large}};
+                      misses.planes[1] & ~large, driven}};
   large.forEach([&](int bit) {
     const int h = hits.at(bit), m = misses.at(bit);
     const int largest = std::max(h, m);
@@ -52,15 +52,39 @@ int BlockCounter::at(int bit) const {
 }
 
 bool OccupancyBuilder::insert(const Points& points_base, const Pose& T_submap_base,
-                              const Eigen::Vector3d& sensor_base) {
+                              const Eigen::Vector3d& sensor_base,
+                              const std::vector<PointsView>& views) {
   if (!moved(T_submap_base)) return false;
   T_submap_last_ = T_submap_base;
-  for (const ScanRaysBlock& seen : rays_.cast(points_base, T_submap_base, sensor_base)) {
+  const std::vector<PointsView> all{{sensor_base, points_base.size()}};
+  for (const ScanRaysBlock& seen :
+       rays_.cast(points_base, T_submap_base, views.empty() ? all : views)) {
     Block& block = table_.at(seen.block);
     block.hits.add(seen.hit);
     block.misses.add(seen.miss);
   }
   return true;
+}
+
+void OccupancyBuilder::drive(const Pose& T_submap_from, const Pose& T_submap_to,
+                             const Eigen::Vector3d& sensor_base) {
+  const double step = 0.5 * config_.resolution;
+  const double way = (T_submap_to.translation - T_submap_from.translation).norm();
+  const double height = std::max(0.0, sensor_base.norm() - config_.resolution);
+  const int steps_on = static_cast<int>(way / step), steps_down = static_cast<int>(height / step);
+  for (int i = 0; i <= steps_on; ++i) {
+    const double share = static_cast<double>(i) / (steps_on + 1);
+    const Eigen::Vector3d back = share * (T_submap_from.translation - T_submap_to.translation);
+    for (int k = 0; k <= steps_down; ++k) {
+      const double down = k * step / std::max(sensor_base.norm(), step);
+      markDriven(T_submap_to * Eigen::Vector3d((1.0 - down) * sensor_base) + back);
+    }
+  }
+}
+
+void OccupancyBuilder::markDriven(const Eigen::Vector3d& p_submap) {
+  const Voxel voxel = voxelOf<double>(p_submap / config_.resolution);
+  table_.at(blockOf(voxel)).driven.set(bitOf(voxel));
 }
 
 SubmapOccupancyPtr OccupancyBuilder::close() {
@@ -69,7 +93,7 @@ SubmapOccupancyPtr OccupancyBuilder::close() {
             [](const Block& a, const Block& b) { return BlockOrder()(a.block, b.block); });
   auto occupancy = std::make_shared<SubmapOccupancy>(config_.resolution);
   for (const Block& block : blocks)
-    occupancy->append(block.block, compact(block.hits, block.misses));
+    occupancy->append(block.block, compact(block.hits, block.misses, block.driven));
   occupancy->shrinkToFit();
   T_submap_last_.reset();
   return occupancy;

@@ -108,8 +108,10 @@ OccupancyBlock OccupancyMap::composed(const Voxel& block,
   OccupancyBlock result{block, {}, {}};
   for (int bit = 0; bit < kBlockVoxels; ++bit) {
     const std::uint32_t hits = evidence.hits[bit], misses = evidence.misses[bit];
-    if (hits + misses == 0) continue;
-    (hits * hit + misses * miss >= occupied ? result.occupied : result.free).set(bit);
+    const bool driven = evidence.driven.test(bit);
+    if (hits + misses == 0 && !driven) continue;
+    const bool is_occupied = !driven && hits * hit + misses * miss >= occupied;
+    (is_occupied ? result.occupied : result.free).set(bit);
   }
   return result;
 }

@@ -96,6 +96,7 @@ void takeCounts(const Neighbourhood& submap, const BlockToSubmap& to_submap,
     const int source_bit = bitOf(source);
     evidence.hits[bit] += counts->hits(source_bit);
     evidence.misses[bit] += counts->misses(source_bit);
+    if (counts->driven(source_bit)) evidence.driven.set(bit);
   }
 }
 

@@ -46,30 +46,36 @@ void walk(const Eigen::Vector3f& from, const Eigen::Vector3f& to, Visit visit) {
 }  // namespace
 
 const std::vector<ScanRaysBlock>& ScanRays::cast(const Points& points, const Pose& T_g_b,
-                                                 const Eigen::Vector3d& sensor_b) {
+                                                 const std::vector<PointsView>& views_b) {
   table_.clear();
   const Eigen::Matrix3f R = scale_ * T_g_b.rotationMatrix().cast<float>();
   const Eigen::Vector3f t = scale_ * T_g_b.translation.cast<float>();
-  const Eigen::Vector3f from = R * sensor_b.cast<float>() + t;
-  const float longest = scale_ * max_ray_;
-  Voxel previous = kNowhere;
-  for (const Eigen::Vector3f& point : points) {
-    Eigen::Vector3f to = R * point + t;
-    const float squared_length = (to - from).squaredNorm();
-    const bool hit = squared_length <= longest * longest;
-    if (!hit) to = from + (to - from) * (longest / std::sqrt(squared_length));
-    const Voxel end = voxelOf<float>(to);
-    if (hit && end == previous) continue;
-    if (hit) previous = end;
-    ScanRaysBlock& block = table_.at(blockOf(end));
-    VoxelMask& ends = hit ? block.hit : block.cut;
-    const int bit = bitOf(end);
-    if (ends.test(bit)) continue;
-    ends.set(bit);
-    clear(to, from);
+  std::size_t i = 0;
+  for (const PointsView& view : views_b) {
+    previous_ = kNowhere;
+    const Eigen::Vector3f from = R * view.sensor_base.cast<float>() + t;
+    for (; i < view.end; ++i) castFrom(from, R * points[i] + t);
   }
   for (ScanRaysBlock& block : table_.blocks()) block.miss = block.miss & ~block.hit;
   return table_.blocks();
+}
+
+/// Both in voxels.
+void ScanRays::castFrom(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+  const float longest = scale_ * max_ray_;
+  const float squared_length = (to - from).squaredNorm();
+  const bool hit = squared_length <= longest * longest;
+  const Eigen::Vector3f cut =
+      hit ? to : Eigen::Vector3f(from + (to - from) * (longest / std::sqrt(squared_length)));
+  const Voxel end = voxelOf<float>(cut);
+  if (hit && end == previous_) return;
+  if (hit) previous_ = end;
+  ScanRaysBlock& block = table_.at(blockOf(end));
+  VoxelMask& ends = hit ? block.hit : block.cut;
+  const int bit = bitOf(end);
+  if (ends.test(bit)) return;
+  ends.set(bit);
+  clear(cut, from);
 }
 
 void ScanRays::clear(const Eigen::Vector3f& end, const Eigen::Vector3f& sensor) {

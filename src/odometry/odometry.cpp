@@ -88,7 +88,9 @@ Odometry::Odometry(const OdometryConfig& config, std::unique_ptr<MotionPredictor
       registration_(config.registration),
       guesses_(forGuesses(config.registration)),
       threshold_(config.threshold, config.max_range),
-      fit_(config.fit) {}
+      fit_(config.fit) {
+  config.bodyBox();  // throws where it is none
+}
 
 OdometryResult Odometry::align(const Scan& scan) {
   OdometryResult result;
@@ -105,6 +107,7 @@ OdometryResult Odometry::align(const Scan& scan) {
                  predicted.sweep ? &*predicted.sweep : nullptr);
   result.too_near = preprocessed.too_near;
   result.too_far = preprocessed.too_far;
+  result.on_body = preprocessed.on_body;
   if (preprocessed.points_base.empty()) {
     result.outcome = OdometryOutcome::no_point_in_range;
     return result;
@@ -114,6 +117,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.stamp = scan.stamp;
   registered.deskewed = preprocessed.deskewed;
   registered.sensor_base = scan.T_base_sensor.translation;
+  registered.views = std::move(preprocessed.views);
   registered.points_base = std::move(preprocessed.points_base);
   sweep_fractions_ = std::move(preprocessed.sweep_fractions);
   clock.stage("preprocess");
@@ -129,7 +133,8 @@ OdometryResult Odometry::align(const Scan& scan) {
   const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
   if (predicted.covariance) registered.prior_information = predicted.covariance->inverse();
   registered.sigma = sigmaFor(predicted);
-  const RingSpacing rings(scan.points, scan.T_base_sensor);
+  const RingSpacing rings =
+      scan.views.empty() ? RingSpacing(scan.points, scan.T_base_sensor) : RingSpacing();
   registered.registration =
       registration_.align(registered.source_base, source_sweep_fractions_, map_, T_odom_predicted,
                           registered.sigma, rings, weighedInformation(predicted));

@@ -10,15 +10,36 @@ namespace revisit_slam {
 namespace {
 
 struct ChunkCount {
-  std::size_t kept = 0, too_near = 0, too_far = 0;
+  std::size_t kept = 0, too_near = 0, too_far = 0, on_body = 0;
 };
+
+/// The views of the scan; one of all points where there is but one sensor.
+std::vector<ScanView> viewsOf(const Scan& scan) {
+  if (!scan.views.empty()) return scan.views;
+  return {{scan.T_base_sensor, scan.points.size()}};
+}
+
+/// Runs of points of one view, so that each has one mounting.
+std::vector<Chunk> chunksOf(const std::vector<ScanView>& views, std::vector<std::size_t>& view_of) {
+  constexpr std::size_t size = 8192;
+  std::vector<Chunk> chunks;
+  std::size_t begin = 0;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    for (; begin < views[view].end; begin = chunks.back().end) {
+      chunks.push_back({begin, std::min(begin + size, views[view].end)});
+      view_of.push_back(view);
+    }
+  }
+  return chunks;
+}
 
 /// The points of one chunk, written to the front of the chunk's own part of the output.
 template <typename Motion>
-ChunkCount preprocessChunk(const Scan& scan, const Motion* motion, float fraction_per_second,
-                           const OdometryConfig& config, Chunk chunk, PreprocessedScan& result) {
-  const Eigen::Matrix3f R = scan.T_base_sensor.rotationMatrix().cast<float>();
-  const Eigen::Vector3f t = scan.T_base_sensor.translation.cast<float>();
+ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, const Motion* motion,
+                           float fraction_per_second, const OdometryConfig& config,
+                           const Eigen::AlignedBox3f& body, Chunk chunk, PreprocessedScan& result) {
+  const Eigen::Matrix3f R = T_base_sensor.rotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_base_sensor.translation.cast<float>();
   const auto squared = [](double range) { return static_cast<float>(range * range); };
   const float nearest = squared(config.min_range), farthest = squared(config.max_range);
   ChunkCount count;
@@ -29,6 +50,10 @@ ChunkCount preprocessChunk(const Scan& scan, const Motion* motion, float fractio
     count.too_far += range > farthest;
     if (range < nearest || range > farthest) continue;
     const Eigen::Vector3f in_base = R * point + t;
+    if (body.contains(in_base)) {
+      ++count.on_body;
+      continue;
+    }
     const std::size_t place = chunk.begin + count.kept++;
     result.points_base[place] = motion ? motion->carry(scan.times[i], in_base) : in_base;
     if (!result.sweep_fractions.empty())
@@ -57,12 +82,17 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   const ConstantMotion* motion = result.deskewed ? &motion_base : nullptr;
   const auto fraction_per_second =
       static_cast<float>(has_fractions ? 1.0 / seconds_since_previous : 0.0);
-  const Chunks chunks(scan.points.size(), 8192);
+  const std::vector<ScanView> views = viewsOf(scan);
+  std::vector<std::size_t> view_of;
+  const std::vector<Chunk> chunks = chunksOf(views, view_of);
+  const Eigen::AlignedBox3f body = config.bodyBox();
   std::vector<ChunkCount> counts(chunks.size());
-  chunks.forEach([&](std::size_t index, Chunk chunk) {
-    counts[index] = result.deskewed && sweep != nullptr
-                        ? preprocessChunk(scan, sweep, fraction_per_second, config, chunk, result)
-                        : preprocessChunk(scan, motion, fraction_per_second, config, chunk, result);
+  Chunks(chunks.size(), 1).forEach([&](std::size_t index, Chunk) {
+    const auto run = [&](const auto* with) {
+      return preprocessChunk(scan, views[view_of[index]].T_base_sensor, with, fraction_per_second,
+                             config, body, chunks[index], result);
+    };
+    counts[index] = result.deskewed && sweep != nullptr ? run(sweep) : run(motion);
   });
 
   std::size_t kept = 0;  // close the gaps between the chunks
@@ -73,6 +103,10 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
     kept += counts[index].kept;
     result.too_near += counts[index].too_near;
     result.too_far += counts[index].too_far;
+    result.on_body += counts[index].on_body;
+    const bool ends_view = index + 1 == chunks.size() || view_of[index + 1] != view_of[index];
+    if (!scan.views.empty() && ends_view)
+      result.views.push_back({views[view_of[index]].T_base_sensor.translation, kept});
   }
   result.points_base.resize(kept);
   if (has_fractions) result.sweep_fractions.resize(kept);

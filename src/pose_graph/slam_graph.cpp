@@ -16,6 +16,7 @@ void SlamGraph::reconfigure(const BackEndConfig& config) {
 void SlamGraph::add(const GraphNode& node) {
   if (!nodes_.empty() && nodes_.back().id.session != node.id.session) beginSession();
   scans_.append(node.id);
+  gnss_.add(nodes_.size(), node.fixes, scans_.begin(node.id.session));
   nodes_.push_back(node);
 }
 
@@ -59,21 +60,32 @@ RelativePoseFactor SlamGraph::factorOf(const Constraint& constraint) const {
           constraint.information};
 }
 
+/// From the scan before to this one.
+RelativePoseFactor SlamGraph::odometryEdge(std::size_t to) const {
+  const Pose T_from_to = nodes_[to - 1].T_odom_base.inverse() * nodes_[to].T_odom_base;
+  const Matrix6& information = nodes_[to].information;
+  return factorOf({nodes_[to - 1].id, nodes_[to].id, T_from_to,
+                   gnss_.isConnected() ? gnss_.loosened(information, T_from_to.translation.norm())
+                                       : information});
+}
+
 SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   LoopGraph result;
   PoseGraph& graph = result.graph;
   const std::vector<std::size_t> active = activeLoops();
+  const bool is_corrected = !active.empty() || gnss_.georeference();
   for (std::size_t i = 0; i < nodes; ++i) {
     // Without loops nothing is left of what others that are now disabled have done.
-    graph.addNode(active.empty() ? nodes_[i].T_odom_base : pose(nodes_[i].id));
-    if (i == 0 || nodes_[i].id.session != nodes_[i - 1].id.session) continue;
-    graph.addFactor(factorOf({nodes_[i - 1].id, nodes_[i].id,
-                              nodes_[i - 1].T_odom_base.inverse() * nodes_[i].T_odom_base,
-                              nodes_[i].information}));
+    graph.addNode(is_corrected ? pose(nodes_[i].id) : nodes_[i].T_odom_base);
+    if (i > 0 && nodes_[i].id.session == nodes_[i - 1].id.session) graph.addFactor(odometryEdge(i));
   }
   const RobustKernel kernel = config_.loop_kernel.value();
   for (const std::size_t i : active)
     result.loops.push_back({i, graph.addFactor(factorOf(loops_[i].loop.constraint), kernel)});
+  const SessionGroups groups(loops_);
+  result.gnss = gnss_.addTo(graph, [&](NodeId scan) {
+    return groups.areTied(nodes_.front().id.session, nodes_[scan.value].id.session);
+  });
   return result;
 }
 
@@ -173,7 +185,7 @@ bool SlamGraph::tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution) 
       solution.outcome == SolveOutcome::no_loops ||
       (solution.usable() && !overridesEstablishedLoops(batch, graph.loops, solution.factors));
   if (good) {
-    take(solution, graph.loops);
+    take(solution, graph);
     if (added > 0) ++changes_;
   } else if (added > 0) {
     optimised_ = optimised_before;
@@ -221,10 +233,14 @@ bool SlamGraph::overridesEstablishedLoops(const Batch& batch, const std::vector<
   return added > 0 && (inliers == 0 || overridden > inliers);
 }
 
-void SlamGraph::take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active) {
-  for (const auto& [loop, factor] : active) {
+void SlamGraph::take(PoseGraphSolution& solution, const LoopGraph& solved) {
+  for (const auto& [loop, factor] : solved.loops) {
     loops_[loop].chi2_after = solution.factors[factor.value].chi2_after;
     loops_[loop].weight = solution.factors[factor.value].weight;
+  }
+  if (solved.gnss) {
+    gnss_.take(solution, *solved.gnss, config_.min_inlier_weight);
+    solution.poses.pop_back();
   }
   const GraphNode& end = nodes_[solution.poses.size() - 1];
   if (end.id.session == nodes_.back().id.session)

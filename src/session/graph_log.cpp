@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/io/bytes.h"
 #include "revisit_slam/io/record_file.h"
 
@@ -15,7 +16,16 @@ constexpr char kKind[] = "RSGRAPH\n";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kNoLoop = ~std::uint32_t{0};
 
-enum Type : std::uint32_t { kSubmap = 1, kScans, kOptimised, kTrajectory, kParameters, kTakenOver };
+enum Type : std::uint32_t {
+  kSubmap = 1,
+  kScans = 2,
+  kOptimised = 3,
+  kTrajectory = 4,
+  kParameters = 5,
+  kTakenOver = 6,
+  kFixes = 7,
+  kGeoreferenced = 8
+};
 
 template <typename Element>
 void putCount(const std::vector<Element>& elements, ByteWriter& bytes) {
@@ -216,6 +226,79 @@ SessionsTakenOver getTakenOver(ByteReader& bytes) {
   return taken;
 }
 
+void put(const GeodeticPosition& position, ByteWriter& bytes) {
+  bytes.put(position.latitude);
+  bytes.put(position.longitude);
+  bytes.put(position.altitude);
+}
+
+GeodeticPosition getPosition(ByteReader& bytes) {
+  GeodeticPosition position;
+  position.latitude = bytes.get<double>();
+  position.longitude = bytes.get<double>();
+  position.altitude = bytes.get<double>();
+  if (!isValid(position)) throw std::runtime_error("a record has a position that is none");
+  return position;
+}
+
+Type put(const FixesAdded& added, ByteWriter& bytes) {
+  for (const auto& [carrier, fix] : added.fixes) {
+    bytes.put(carrier);
+    bytes.put(fix.stamp);
+    bytes.put(fix.scan);
+    for (int axis = 0; axis < 3; ++axis) bytes.put(fix.p_scan[axis]);
+    put(fix.position, bytes);
+    for (int i = 0; i < 9; ++i) bytes.put(fix.covariance_enu(i / 3, i % 3));
+  }
+  return kFixes;
+}
+
+FixesAdded getFixes(ByteReader& bytes) {
+  FixesAdded added;
+  while (bytes.left() > 0) {
+    auto& [carrier, fix] = added.fixes.emplace_back();
+    carrier = bytes.id<ScanId>();
+    fix.stamp = bytes.stamp();
+    fix.scan = bytes.id<ScanId>();
+    for (int axis = 0; axis < 3; ++axis) fix.p_scan[axis] = bytes.get<double>();
+    fix.position = getPosition(bytes);
+    for (int i = 0; i < 9; ++i) fix.covariance_enu(i / 3, i % 3) = bytes.get<double>();
+    if (!fix.p_scan.allFinite() || !fix.covariance_enu.allFinite() || carrier < fix.scan ||
+        carrier.session != fix.scan.session)
+      throw std::runtime_error("a record has a position that is none");
+  }
+  return added;
+}
+
+Type put(const MapGeoreferenced& entry, ByteWriter& bytes) {
+  bytes.put(entry.version);
+  put(entry.georeference.datum, bytes);
+  bytes.put(entry.georeference.T_enu_map);
+  bytes.put(entry.georeference.yaw_deviation);
+  bytes.put(static_cast<std::uint32_t>(entry.georeference.fixes));
+  bytes.put(static_cast<std::uint32_t>(entry.georeference.outliers));
+  return kGeoreferenced;
+}
+
+MapGeoreferenced getGeoreferenced(ByteReader& bytes) {
+  MapGeoreferenced entry;
+  entry.version = bytes.get<std::uint32_t>();
+  entry.georeference.datum = getPosition(bytes);
+  entry.georeference.T_enu_map = bytes.pose();
+  entry.georeference.yaw_deviation = bytes.get<double>();
+  entry.georeference.fixes = bytes.get<std::uint32_t>();
+  entry.georeference.outliers = bytes.get<std::uint32_t>();
+  return entry;
+}
+
+/// Those of the scans.
+FixesAdded fixesOf(const ScansAdded& scans) {
+  FixesAdded added;
+  for (const GraphNode& node : scans.nodes)
+    for (const GnssFix& fix : node.fixes) added.fixes.emplace_back(node.id, fix);
+  return added;
+}
+
 std::optional<LogEntry> decode(const Record& record) {
   ByteReader bytes(record.payload);
   switch (record.type) {
@@ -231,6 +314,10 @@ std::optional<LogEntry> decode(const Record& record) {
       return getParameters(bytes);
     case kTakenOver:
       return getTakenOver(bytes);
+    case kFixes:
+      return getFixes(bytes);
+    case kGeoreferenced:
+      return getGeoreferenced(bytes);
     default:
       return std::nullopt;  // of a later version, which says that older ones can do without
   }
@@ -257,7 +344,8 @@ void decide(const GraphOptimised::Decision& decision, LoopEdge& edge) {
 }
 
 bool belongsToDrive(const LogEntry& entry) {
-  return std::holds_alternative<SubmapClosed>(entry) || std::holds_alternative<ScansAdded>(entry);
+  return std::holds_alternative<SubmapClosed>(entry) || std::holds_alternative<ScansAdded>(entry) ||
+         std::holds_alternative<FixesAdded>(entry);
 }
 
 std::string graphLogHeader() {
@@ -265,6 +353,12 @@ std::string graphLogHeader() {
 }
 
 std::string encodeEntry(const LogEntry& entry) {
+  if (const auto* scans = std::get_if<ScansAdded>(&entry)) {
+    const FixesAdded fixes = fixesOf(*scans);
+    ByteWriter bytes;
+    const Type type = put(*scans, bytes);
+    return (fixes.fixes.empty() ? "" : encodeEntry(fixes)) + encodeRecord({type, bytes.bytes()});
+  }
   ByteWriter bytes;
   const Type type = std::visit([&](const auto& what) { return put(what, bytes); }, entry);
   return encodeRecord({type, bytes.bytes()});

@@ -26,6 +26,7 @@ void cutToClosedSubmaps(Session& session) {
     cut.T_map_scan.push_back(graph.T_map_scan[i]);
   }
   cut.T_map_odom = graph.T_map_odom;
+  cut.georeference = graph.georeference;
   cut.loops = std::move(graph.loops);
   graph = std::move(cut);
 }

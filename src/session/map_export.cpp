@@ -20,6 +20,7 @@
 #include "revisit_slam/io/pcd.h"
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/session/georeference_files.h"
 #include "revisit_slam/session/stored_submap.h"
 #include "revisit_slam/types/session_offsets.h"
 
@@ -106,6 +107,8 @@ class MapExport {
     if (scans_.sessions().size() > 1) writeTrajectoryOfEach(trajectory);
     writeGraph(file("pose_graph.g2o"), session_.graph);
     writeLoops(file("loop_closures.csv"), session_.graph);
+    if (session_.graph.georeference)
+      writeGeoreference(folder_, trajectory, *session_.graph.georeference);
     makeFolder(file("submaps"));
     writeTable();
     tell(0.1);

@@ -47,7 +47,7 @@ SessionOffsets<ScanId> scansOf(const SessionGraph& graph) {
 }
 
 SessionGraph graphOf(const SlamGraph& graph) {
-  return {graph.nodes(), graph.poses(), graph.T_map_odom(), graph.loops()};
+  return {graph.nodes(), graph.poses(), graph.T_map_odom(), graph.loops(), graph.georeference()};
 }
 
 Trajectory trajectoryOf(const SessionGraph& graph) {

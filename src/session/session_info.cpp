@@ -67,6 +67,11 @@ void writeSessionInfo(const std::string& path, const SessionInfo& info) {
   session["frames"]["odom"] = info.odom_frame;
   session["frames"]["base"] = info.base_frame;
   session["gauge"] = "first scan";
+  if (info.datum) {
+    session["datum"]["latitude"] = info.datum->latitude;
+    session["datum"]["longitude"] = info.datum->longitude;
+    session["datum"]["altitude"] = info.datum->altitude;
+  }
   session["sensor"] = info.sensor;
   for (const JoinedSession& joined : info.joined) {
     YAML::Node entry;
@@ -103,6 +108,9 @@ SessionInfo readSessionInfo(const std::string& path) {
                              {entry["start"].as<std::int64_t>()},
                              entry["sensor"].as<std::string>(),
                              entry["from"].as<std::string>()});
+    if (const YAML::Node datum = session["datum"])
+      info.datum = GeodeticPosition{datum["latitude"].as<double>(), datum["longitude"].as<double>(),
+                                    datum["altitude"].as<double>()};
     info.parameters = flattened(session["parameters"]);
   } catch (const std::exception& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());

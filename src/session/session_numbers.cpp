@@ -8,6 +8,7 @@ namespace revisit_slam {
 
 GraphNode SessionNumbers::operator()(GraphNode node) const {
   node.id = (*this)(node.id);
+  for (GnssFix& fix : node.fixes) fix.scan = (*this)(fix.scan);
   return node;
 }
 

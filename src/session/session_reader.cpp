@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -15,8 +16,11 @@ namespace {
 /// Follows the log from entry to entry.
 class LogReplay {
  public:
-  LogReplay(const BackEndConfig& backend, bool with_solver)
-      : backend_(backend), solver_(backend), with_solver_(with_solver) {}
+  LogReplay(const StoredParameters& parameters, bool with_solver)
+      : backend_(parameters.backend),
+        gnss_(parameters.gnss),
+        solver_(parameters.backend, parameters.gnss),
+        with_solver_(with_solver) {}
 
   /// @throws std::runtime_error for an entry that does not follow those before.
   void take(const LogEntry& entry) {
@@ -60,12 +64,21 @@ class LogReplay {
   }
 
   void add(const ScansAdded& scans) {
-    for (const GraphNode& node : scans.nodes) {
+    for (GraphNode node : scans.nodes) {
       append(node.id, scans_);
+      const auto fixes = fixes_.find(node.id);
+      if (fixes != fixes_.end()) node.fixes = fixes->second;
       graph.nodes.push_back(node);
       if (with_solver_) solver_.add(node);
     }
   }
+
+  void add(const FixesAdded& added) {
+    fixes_.clear();
+    for (const auto& [carrier, fix] : added.fixes) fixes_[carrier].push_back(fix);
+  }
+
+  void add(const MapGeoreferenced& entry) { graph.georeference = entry.georeference; }
 
   void add(const GraphOptimised& optimised) {
     const auto is_beyond = [&](const LoopConstraint& loop) {
@@ -128,7 +141,7 @@ class LogReplay {
       graph.T_map_odom = taken.T_map_scan.back() * last.T_odom_base.inverse();
     if (!with_solver_) return;
     const auto others = graph.nodes.begin() + static_cast<std::ptrdiff_t>(taken.T_map_scan.size());
-    solver_ = SlamGraph(backend_);
+    solver_ = SlamGraph(backend_, gnss_);
     solver_.addOptimised({graph.nodes.begin(), others}, taken.T_map_scan, taken.loops);
     std::for_each(others, graph.nodes.end(), [&](const GraphNode& node) { solver_.add(node); });
   }
@@ -163,19 +176,21 @@ class LogReplay {
   }
 
   BackEndConfig backend_;
+  GnssConfig gnss_;
   SlamGraph solver_;
   bool with_solver_;
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_
   ScanId last_scan_;
+  std::map<ScanId, std::vector<GnssFix>> fixes_;  // of the scans that follow
   std::vector<Pose> T_map_keypose_, T_map_scan_;
   SessionOffsets<ScanId> scans_;           // of graph.nodes
   SessionOffsets<SubmapId> submap_order_;  // of submaps
 };
 
 /// Up to the first entry that does not follow those before.
-LogReplay replayed(const GraphLog& log, const BackEndConfig& backend, bool with_solver,
+LogReplay replayed(const GraphLog& log, const StoredParameters& parameters, bool with_solver,
                    std::string& problem) {
-  LogReplay replay(backend, with_solver);
+  LogReplay replay(parameters, with_solver);
   try {
     for (const LogEntry& entry : log.entries) replay.take(entry);
   } catch (const std::runtime_error& error) {
@@ -218,6 +233,8 @@ Session tiedTo(SessionId session, Session all) {
   }
   if (!part.nodes.empty())
     part.T_map_odom = part.T_map_scan.back() * part.nodes.back().T_odom_base.inverse();
+  if (!part.nodes.empty() && is_tied(all.graph.nodes.front().id.session))
+    part.georeference = all.graph.georeference;
   for (LoopEdge edge : all.graph.loops) {
     if (!is_tied(edge.loop.source.session) || !is_tied(edge.loop.target.session)) continue;
     edge.id.value = static_cast<std::uint32_t>(part.loops.size());
@@ -261,10 +278,10 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
   session.folder = folder;
   session.info = readSessionInfo(folder + "/session.yaml");
   const GraphLog log = readLogs(folder, notices);
-  const BackEndConfig backend = storedParameters(session.info).backend;
+  const StoredParameters parameters = storedParameters(session.info);
   std::string problem;
-  LogReplay replay = replayed(log, backend, false, problem);
-  if (!replay.isExact()) replay = replayed(log, backend, true, problem);
+  LogReplay replay = replayed(log, parameters, false, problem);
+  if (!replay.isExact()) replay = replayed(log, parameters, true, problem);
   if (!problem.empty())
     notices.push_back("the logs in '" + folder + "': " + problem + "; what follows is left out");
   if (!replay.isExact())

@@ -121,6 +121,16 @@ void SessionWriter::add(LogEntry entry) {
   });
 }
 
+void SessionWriter::setDatum(const GeodeticPosition& datum) {
+  post([this, datum] {
+    if (info_.datum) return;
+    SessionInfo info = info_;
+    info.datum = datum;
+    writeSessionInfo(target_.folder + "/session.yaml", info);
+    info_ = info;
+  });
+}
+
 void SessionWriter::close() {
   post([this] { setClosed(true); });
 }

@@ -13,7 +13,8 @@ namespace revisit_slam {
 namespace {
 
 constexpr char kKind[] = "RSSUBMAP";
-constexpr std::uint32_t kVersion = 1;
+/// 2: a fifth plane of the occupancy, which software of version 1 would take for a block.
+constexpr std::uint32_t kVersion = 2;
 
 std::string record(SubmapRecord type, const ByteWriter& payload) {
   return encodeRecord({static_cast<std::uint32_t>(type), payload.bytes()});

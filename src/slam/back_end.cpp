@@ -50,11 +50,7 @@ void BackEnd::add(const MapUpdatePtr& update) {
 
 void BackEnd::add(const LoopClosures& closures) {
   if (GraphSession* session = find(closures.map.session)) return session->add(closures);
-  if (closures.constraints.empty()) return;
-  MapCorrection nothing;
-  nothing.session = closures.map.session;
-  nothing.request = closures.request;
-  on_correction_(std::make_shared<const MapCorrection>(std::move(nothing)));
+  if (closures.request != 0) on_correction_(unchangedMap(closures.map.session, closures.request));
 }
 
 void BackEnd::add(const MapsClosed& closed, const Done& done) {

@@ -9,7 +9,7 @@ namespace revisit_slam {
 namespace {
 
 /// Reasons by how they begin.
-constexpr std::array<std::pair<const char*, const char*>, 16> kRemedies{{
+constexpr std::array<std::pair<const char*, const char*>, 17> kRemedies{{
     {"no stamp",
      "the header stamps are zero: let the driver set them, or set input/stamps to arrival"},
     {"no field of the given name",
@@ -17,6 +17,10 @@ constexpr std::array<std::pair<const char*, const char*>, 16> kRemedies{{
     {"no transform",
      "broadcast the transform, or estimate the pose of the sensor itself: base_frame:=none live, "
      "--base-frame none offline"},
+    {"wrong transform",
+     "broadcast the transform from base frame to sensor, as it is mounted, and set frames/base to "
+     "a "
+     "frame of the robot"},
     {"duplicate stamp",
      "do two nodes publish on the topic of the scans? If not, the driver stamps wrongly: set "
      "input/stamps to arrival"},

@@ -12,8 +12,8 @@ namespace revisit_slam {
 namespace {
 
 /// With the sessions that were mapped before.
-SlamGraph beginGraph(const BackEndConfig& config, const KnownMapPtr& prior) {
-  SlamGraph graph(config);
+SlamGraph beginGraph(const SlamConfig& config, const KnownMapPtr& prior) {
+  SlamGraph graph(config.backend, config.gnss);
   if (prior) graph.addOptimised(prior->nodes, prior->session.graph.T_map_scan, prior->loops);
   return graph;
 }
@@ -24,7 +24,7 @@ GraphSession::GraphSession(SessionId id, const SlamConfig& config, Stamp start,
                            const SessionTarget& target, OnCorrection on_correction)
     : id_(id),
       config_(config),
-      graph_(beginGraph(config.backend, target.prior)),
+      graph_(beginGraph(config, target.prior)),
       scans_before_(graph_.size()),
       on_correction_(std::move(on_correction)),
       log_(id, config, start, target, graph_) {
@@ -54,8 +54,10 @@ void GraphSession::add(const LoopClosures& closures) {
       log_.add(storedLocalMap(**searched, closures.view.get()));
       unsearched_.erase(searched);
     }
-    if (!closures.constraints.empty())
+    if (!closures.constraints.empty() || graph_.hasNewFixes(closures.last_scan))
       optimise(closures.last_scan, closures.constraints, closures.request);
+    else if (closures.request != 0)
+      on_correction_(unchangedMap(id_, closures.request));
   });
 }
 

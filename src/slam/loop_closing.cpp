@@ -9,7 +9,8 @@
 namespace revisit_slam {
 
 LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs)
-    : detector_(config.loops, config.retroactive, config.information),
+    : with_gnss_(config.gnss.isConnected()),
+      detector_(config.loops, config.retroactive, config.information),
       outputs_(std::move(outputs)) {}
 
 void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
@@ -25,6 +26,8 @@ void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
     known->T_map_scan.insert(known->T_map_scan.end(), T_map_scan.begin(), T_map_scan.end());
     known->loops.insert(known->loops.end(), map->loops.begin(), map->loops.end());
     known->session = map->nodes.back().id.session;
+    with_gnss_ |= std::any_of(map->nodes.begin(), map->nodes.end(),
+                              [](const GraphNode& node) { return !node.fixes.empty(); });
   }
   detector_.correct(known);
 }
@@ -85,14 +88,16 @@ void LoopClosing::guarded(const std::function<void()>& work) const {
 
 void LoopClosing::begin(const LocalMapPtr& map) {
   const LoopSearchResult result = detector_.searchByAppearance(map);
-  const bool is_closed = !result.accepted().empty();
-  hand(result, [this] { searchAfterAnswer(); });
-  if (!is_closed) hand(detector_.searchLowDriftWindow(), [] {});
+  const bool is_waiting = hand(result, [this] { searchAfterAnswer(); });
+  if (!is_waiting) hand(detector_.searchLowDriftWindow(), [] {});
 }
 
 void LoopClosing::begin(const Across& across) {
-  hand(detector_.searchAcrossSessions(across.map, across.first),
-       [this, across] { hand(detector_.searchRetroactively(across.map), [] {}); });
+  const LoopSearchResult result = detector_.searchAcrossSessions(across.map, across.first);
+  const bool has_loops = !result.accepted().empty();
+  hand(result, [this, across, has_loops] {
+    if (has_loops) hand(detector_.searchRetroactively(across.map), [] {});
+  });
 }
 
 /// What the graph has rejected is no closure.
@@ -115,27 +120,29 @@ void LoopClosing::searchToTheEnd(const MapsClosed& closed) {
     while (detector_.hasClosedLoops() && !is_waiting) {
       const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_);
       if (result.proposals.empty()) return;
-      is_waiting = !result.accepted().empty();
-      hand(result, [this, closed] { searchToTheEnd(closed); });
+      is_waiting = hand(result, [this, closed] { searchToTheEnd(closed); });
     }
   });
   if (!is_waiting) outputs_.closed(closed);
 }
 
-/// `then` follows when the graph has taken the loops, if there are any.
-void LoopClosing::hand(const LoopSearchResult& result, std::function<void()> then) {
+/// `then` follows when the graph has taken the loops, if there are any, or positions of GNSS.
+/// @return whether it does.
+bool LoopClosing::hand(const LoopSearchResult& result, std::function<void()> then) {
   LoopClosures closures;
   closures.map = result.map->id;
   closures.last_scan = result.map->submaps.back()->lastScan();
   closures.origin = result.origin;
   closures.constraints = result.accepted();
   closures.view = result.view;
-  if (!closures.constraints.empty()) {
+  const bool has_answer = !closures.constraints.empty() || with_gnss_;
+  if (has_answer) {
     closures.request = ++requests_;
     awaited_ = {closures.request, std::move(then)};
   }
   outputs_.closures(closures);
   guarded([&] { outputs_.search(result); });
+  return has_answer;
 }
 
 }  // namespace revisit_slam

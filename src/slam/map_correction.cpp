@@ -12,6 +12,7 @@ MapCorrection correctionOf(const SlamGraph& graph, ScanId last) {
   }
   correction.T_map_odom = graph.T_map_odom();
   correction.loops = graph.loops();
+  correction.georeference = graph.georeference();
   correction.moved_end = graph.movedEnd();
   correction.seconds = graph.lastSolution().seconds;
   return correction;

@@ -17,6 +17,7 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
   thinned->T_odom_base = scan.T_odom_base;
   thinned->sensor_base = scan.sensor_base;
   thinned->voxel_size = scan.voxel_size;
+  thinned->verdict = scan.verdict;
   return thinned;
 }
 

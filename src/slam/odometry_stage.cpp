@@ -18,6 +18,16 @@ std::string describeVoxels(const RegisteredScan& scan) {
   return text.str();
 }
 
+/// m. No robot is as large: what is farther from its base is placed in another frame.
+constexpr double kLongestLever = 100.0;
+
+std::string describeLever(const ScanReading& reading) {
+  std::ostringstream text;
+  text << "frame '" << reading.frame_id << "' is " << reading.scan->T_base_sensor.translation.norm()
+       << " m from the base frame; its transform has to be that of the sensor on the robot";
+  return text.str();
+}
+
 void putFirst(const std::string& text, std::string& notice) {
   notice = notice.empty() ? text : text + "; " + notice;
 }
@@ -33,8 +43,10 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       information_(config.information),
       arena_(config.odometry.threads),
       assembler_(config.input),
+      merger_(config.input),
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
       priors_(config.priors),
+      gnss_(config.gnss),
       odometry_(makeOdometry()),
       rest_(config.mapping.rest_interval),
       voxel_size_(config.odometry.map.voxel_size) {}
@@ -47,20 +59,31 @@ Odometry OdometryStage::makeOdometry() {
 }
 
 std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
-  ++account_.received;
+  const bool is_misplaced =
+      reading.scan && reading.scan->T_base_sensor.translation.norm() > kLongestLever;
+  const bool is_merged = merger_.merges() && reading.scan && !is_misplaced;
+  if (!is_merged) ++account_.received;  // of several sensors the sweeps count
   account_.points_received += reading.counts.received;
   account_.points_dropped["not finite"] += reading.counts.not_finite;
   account_.points_dropped["at the sensor's origin"] += reading.counts.at_origin;
   account_.points_dropped["without time"] += reading.counts.no_time;
   if (!reading.scan) return {reject(describe(reading.rejection), reading.detail)};
+  if (is_misplaced) return {reject("wrong transform", describeLever(reading))};
   std::vector<Result> results;
-  process(assembler_.take(std::move(reading)), results);
+  if (is_merged)
+    process(merger_.take(std::move(reading)), results);
+  else
+    process(assembler_.take(std::move(reading)), results);
   return results;
 }
 
 std::vector<OdometryStage::Result> OdometryStage::takeMotion(const MotionReading& reading) {
-  priors_.take(reading);
   std::vector<Result> results;
+  if (const auto* position = std::get_if<GnssReading>(&reading)) {
+    gnss_.take(*position);
+    return results;
+  }
+  priors_.take(reading);
   release(false, results);
   return results;
 }
@@ -68,6 +91,7 @@ std::vector<OdometryStage::Result> OdometryStage::takeMotion(const MotionReading
 std::vector<OdometryStage::Result> OdometryStage::flush() {
   std::vector<Result> results;
   process(assembler_.flush(), results);
+  process(merger_.flush(), results);
   process(gate_.flush(), results);
   release(true, results);
   return results;
@@ -86,6 +110,13 @@ void OdometryStage::process(std::vector<SweepAssembler::Sweep> sweeps,
   if (results.empty() || assembler_.description() == said_sweep_form_) return;
   said_sweep_form_ = assembler_.description();
   putFirst(said_sweep_form_, results.front().notice);
+}
+
+void OdometryStage::process(std::vector<ScanReading> merged, std::vector<Result>& results) {
+  for (ScanReading& reading : merged) {
+    ++account_.received;
+    process(gate_.take(std::move(reading)), results);
+  }
 }
 
 void OdometryStage::process(std::vector<StampGate::Decision> decisions,
@@ -152,22 +183,27 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   });
   account_.points_dropped["too near"] += aligned.too_near;
   account_.points_dropped["too far"] += aligned.too_far;
+  if (aligned.on_body > 0) account_.points_dropped["on the body"] += aligned.on_body;
   if (!aligned.scan) return reject(toString(aligned.outcome));
   ++account_.processed;
   if (aligned.scan->voxel_size != voxel_size_) result.notice = describeVoxels(*aligned.scan);
   voxel_size_ = aligned.scan->voxel_size;
-  aligned.scan->id = idOf(*aligned.scan);
+  nameScan(*aligned.scan);
   aligned.scan->sensor_frame = std::move(reading.frame_id);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
   return result;
 }
 
-ScanId OdometryStage::idOf(const RegisteredScan& scan) {
-  if (rest_.repeats(scan.stamp, scan.T_odom_base))
+/// Scans at rest add nothing to the graph: what is due goes with the next that does.
+void OdometryStage::nameScan(RegisteredScan& scan) {
+  const bool is_repeated = rest_.repeats(scan.stamp, scan.T_odom_base);
+  if (is_repeated)
     ++account_.at_rest;
   else
     ++ids_;
-  return {ids_ - 1, session_};
+  scan.id = {ids_ - 1, session_};
+  gnss_.observe(scan.id, scan.stamp, scan.T_odom_base);
+  if (!is_repeated) scan.fixes = gnss_.due();
 }
 
 std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const RegisteredScan& scan) const {
@@ -184,10 +220,24 @@ void OdometryStage::countDropped(const std::string& reason) {
   gate_.expectGap();
 }
 
+void OdometryStage::countDroppedMotion(const std::string& sensor, const std::string& reason) {
+  if (sensor == GnssTrack::kSensor)
+    gnss_.countDropped(reason);
+  else
+    priors_.countDropped(sensor, reason);
+}
+
+std::map<std::string, PriorAccount> OdometryStage::sensorAccounts() const {
+  std::map<std::string, PriorAccount> accounts = priors_.accounts();
+  if (gnss_.isConnected()) accounts[GnssTrack::kSensor] = gnss_.account();
+  return accounts;
+}
+
 void OdometryStage::startSession() {
   waiting_.clear();
   beginSession();
   assembler_.restart();
+  merger_.restart();
   said_sweep_form_.clear();
   gate_.restart();
   account_ = {};
@@ -196,6 +246,7 @@ void OdometryStage::startSession() {
 void OdometryStage::beginSession() {
   ++session_.value;
   priors_.restart();
+  gnss_.restart();
   odometry_ = makeOdometry();
   rest_ = RestDetector(rest_interval_);
   ids_ = 0;

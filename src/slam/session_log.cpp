@@ -58,6 +58,8 @@ void SessionLog::writePrior(SessionWriter& writer) const {
   copyMaps(*target_.prior, writer);
   writer.add(
       LogEntry(SessionsTakenOver{target_.prior->loops, target_.prior->session.graph.T_map_scan}));
+  if (const auto& known = target_.prior->session.graph.georeference)
+    writer.add(LogEntry(MapGeoreferenced{0, *known}));
 }
 
 void SessionLog::keep(const MapUpdatePtr& update) {
@@ -85,6 +87,14 @@ void SessionLog::add(std::uint32_t version, ScanId last, std::vector<LoopConstra
   GraphOptimised entry = optimised(std::move(new_loops));
   entry.disabled = disabled;
   writer_->add(LogEntry(std::move(entry)));
+  writeGeoreference(*writer_);
+}
+
+void SessionLog::writeGeoreference(SessionWriter& writer) const {
+  const std::optional<Georeference> georeference = graph_.georeference();
+  if (!georeference) return;
+  writer.add(LogEntry(MapGeoreferenced{version_, *georeference}));
+  writer.setDatum(georeference->datum);
 }
 
 void SessionLog::add(const BackEndConfig& changed) {
@@ -187,13 +197,18 @@ void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) cons
   for (std::size_t i = loopsBefore(); i < graph_.loops().size(); ++i)
     loops.push_back(graph_.loops()[i].loop);
   writer.add(LogEntry(optimised(std::move(loops))));
+  writeGeoreference(writer);
   writer.add(LogEntry(optimisedTrajectory()));
 }
 
 Session SessionLog::snapshot() const {
   std::vector<SubmapClosed> submaps = closed_before_;
   submaps.insert(submaps.end(), closed_.begin(), closed_.end());
-  return {target_.folder, info_, std::move(submaps), graphOf(graph_)};
+  SessionGraph graph = graphOf(graph_);
+  // Before the first optimisation the map lies where it was.
+  if (!graph.georeference && target_.prior)
+    graph.georeference = target_.prior->session.graph.georeference;
+  return {target_.folder, info_, std::move(submaps), std::move(graph)};
 }
 
 void SessionLog::flush(bool open_scans) {

@@ -17,7 +17,7 @@ SessionMerge::SessionMerge(const SlamConfig& config, const std::vector<KnownMap>
                            OnSearch on_search)
     : config_(config),
       maps_(maps),
-      graph_(config.backend),
+      graph_(config.backend, config.gnss),
       closing_(config, outputs(std::move(on_search))) {
   addMaps();
   const ScanId last = graph_.nodes().back().id;
@@ -42,7 +42,7 @@ LoopClosing::Outputs SessionMerge::outputs(OnSearch on_search) {
   LoopClosing::Outputs outputs;
   outputs.search = std::move(on_search);
   outputs.closures = [this](const LoopClosures& closures) {
-    if (!closures.constraints.empty()) lane_.post([this, closures] { answer(closures); });
+    if (closures.request != 0) lane_.post([this, closures] { answer(closures); });
   };
   outputs.closed = [](const MapsClosed&) {};
   outputs.problem = [](const std::string& problem) { throw std::runtime_error(problem); };
@@ -50,6 +50,8 @@ LoopClosing::Outputs SessionMerge::outputs(OnSearch on_search) {
 }
 
 void SessionMerge::answer(const LoopClosures& closures) {
+  if (closures.constraints.empty() && !graph_.hasNewFixes(closures.last_scan))
+    return closing_.correct(unchangedMap(closures.map.session, closures.request));
   graph_.optimise(closures.last_scan, closures.constraints);
   MapCorrection correction = correctionOf(graph_, closures.last_scan);
   correction.version = closures.request;
@@ -73,6 +75,13 @@ std::vector<std::size_t> SessionMerge::joined() const {
   return most;
 }
 
+/// Of the first map: positions count there (GnssFactors).
+std::optional<Georeference> SessionMerge::georeference() const {
+  if (!isJoined(0)) return std::nullopt;
+  const std::optional<Georeference> optimised = graph_.georeference();
+  return optimised ? optimised : maps_.front().session.graph.georeference;
+}
+
 bool SessionMerge::isJoined(std::size_t map) const {
   const std::vector<std::size_t> all = joined();
   return std::find(all.begin(), all.end(), map) != all.end();
@@ -84,6 +93,9 @@ void SessionMerge::write(const std::string& folder) const {
   SessionInfo info = infoOfAll(maps);
   SlamConfig config = config_;
   info.software = softwareVersion();
+  const std::optional<Georeference> georeference = this->georeference();
+  info.datum.reset();
+  if (georeference) info.datum = georeference->datum;
   info.parameters = textOf(parametersOf(config));
   SessionWriter writer({folder, info.sensor, nullptr, false}, info, config_.background.niceness);
   SessionsTakenOver taken;
@@ -102,6 +114,7 @@ void SessionMerge::write(const std::string& folder) const {
     taken.loops.push_back(edge);
   }
   writer.add(LogEntry(std::move(taken)));
+  if (georeference) writer.add(LogEntry(MapGeoreferenced{0, *georeference}));
   writer.close();
   writer.drain();
   if (!writer.problem().empty()) throw std::runtime_error(writer.problem());

@@ -29,7 +29,7 @@ TEST(ScanInputConfig, defaultsAreAllowed) {
   ScanInputConfig config;
   CheckingVisitor visitor;
   config.visit(visitor);
-  EXPECT_EQ(visitor.count, 9);
+  EXPECT_EQ(visitor.count, 13);
 }
 
 }  // namespace

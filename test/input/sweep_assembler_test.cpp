@@ -22,7 +22,7 @@ struct Spinning {
 
   /// The one that ends at (index + 1) periods.
   Scan sweep(int index) const {
-    Scan scan{Stamp{1'700'000'000'000'000'000}.plusSeconds((index + 1) * period), {}, {}, {}};
+    Scan scan{Stamp{1'700'000'000'000'000'000}.plusSeconds((index + 1) * period), {}, {}, {}, {}};
     for (int column = 0; column < columns; ++column) {
       const double part = (column + 1.0) / columns;
       for (int beam = 0; beam < beams; ++beam) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "occupancy/occupancy_scenes.h"
 #include "support/random_numbers.h"
 
 namespace revisit_slam {
@@ -85,6 +88,54 @@ TEST(OccupancyBuilder, OneHitAmongManyMissesIsNotForgotten) {
   for (int scan = 0; scan < 40; ++scan)
     builder.insert({{scan == 7 ? 5.2f : 9.2f, 0.2f, 0.2f}}, at(0.0), {0, 0, 0});
   EXPECT_EQ(countsAt(*builder.close(), {10, 0, 0}).hits, 1u);
+}
+
+/// Its own roof, or dust around it.
+TEST(OccupancyBuilder, NothingIsOccupiedWhereTheRobotDrove) {
+  OccupancyConfig config;
+  OccupancyBuilder builder(config);
+  const Eigen::Vector3d sensor(0.2, 0.0, 1.8);
+  const auto ahead = [](double x) { return Pose{Eigen::Quaterniond::Identity(), {x, 0.2, 0.1}}; };
+  for (int i = 0; i < 20; ++i) {
+    builder.insert({{1.0f, 0.0f, 1.3f}, {0.0f, 0.0f, -0.3f}, {0.3f, 3.0f, 1.3f}}, ahead(2.5 * i),
+                   sensor);
+    builder.drive(ahead(2.5 * std::max(i - 1, 0)), ahead(2.5 * i), sensor);
+  }
+  const OccupancyMap map = mapOf(builder.close());
+  const Points centres = occupiedCentres(map);
+  std::size_t ground = 0, beside = 0;
+  for (const Eigen::Vector3f& p : centres) {
+    ground += p.z() < 0.0f;
+    beside += p.y() > 2.0f;
+    const bool in_the_way = p.x() > 0.3f && p.x() < 47.0f && p.y() > 0.0f && p.y() < 0.5f;
+    EXPECT_TRUE(!in_the_way || p.z() < 0.5f) << p.transpose();
+  }
+  EXPECT_GE(ground, 15u);
+  EXPECT_GE(beside, 15u);
+}
+
+/// A sensor without a base below it.
+TEST(OccupancyBuilder, ASensorThatIsTheBaseFreesItsOwnVoxel) {
+  OccupancyBuilder builder({});
+  builder.insert({{0.1f, 0.1f, 0.1f}, {5.0f, 0.0f, 0.0f}}, {}, {0, 0, 0});
+  builder.drive({}, {}, {0, 0, 0});
+  EXPECT_EQ(occupiedCentres(mapOf(builder.close())).size(), 1u);
+}
+
+TEST(OccupancyBuilder, RaysOfSeveralSensorsBeginAtTheirOwn) {
+  OccupancyBuilder builder({});
+  builder.insert({{5.2f, 0.2f, 0.2f}, {5.2f, 8.2f, 0.2f}}, {}, {0, 0, 0},
+                 {{{0.2, 0.2, 0.2}, 1}, {{0.2, 8.2, 0.2}, 2}});
+  const OccupancyMap map = mapOf(builder.close());
+  const auto isFree = [&](double x, double y) {
+    const Voxel voxel = voxelOf<double>(Eigen::Vector3d(x, y, 0.2) / 0.5);
+    for (const OccupancyBlock& block : map.blocks())
+      if (block.block == blockOf(voxel)) return block.free.test(bitOf(voxel));
+    return false;
+  };
+  EXPECT_TRUE(isFree(2.2, 0.2));
+  EXPECT_TRUE(isFree(2.2, 8.2));
+  EXPECT_FALSE(isFree(2.6, 4.2));
 }
 
 TEST(OccupancyBuilder, IsEmptyOnceClosed) {

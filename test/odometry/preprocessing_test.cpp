@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "revisit_slam/odometry/odometry.h"
 #include "support/random_numbers.h"
 #include "support/threads.h"
 
@@ -25,7 +26,7 @@ Tangent driving() {
 /// Random world points as a sensor sees them that moves with `velocity` until the scan's stamp.
 Scan seenWhileMoving(const Points& points_base, const Tangent& velocity, const Pose& T_base_sensor,
                      RandomNumbers& random) {
-  Scan scan{{}, {}, {}, T_base_sensor};
+  Scan scan{{}, {}, {}, T_base_sensor, {}};
   for (const Eigen::Vector3f& point : points_base) {
     const float time = static_cast<float>(random.uniform(-0.1, 0.0));
     const Pose T_stamp_sensor = exp(time * velocity) * T_base_sensor;
@@ -127,6 +128,36 @@ TEST(Preprocess, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_LT(one.size(), scan.points.size());
   EXPECT_EQ(on(2), one);
   EXPECT_EQ(on(4), one);
+}
+
+/// Each point from its own sensor, with its range from there.
+TEST(Preprocessing, PointsOfSeveralSensorsAreEachInTheirFrame) {
+  Scan scan;
+  scan.points = {{2.0f, 0.0f, 0.0f}, {0.1f, 0.0f, 0.0f}, {3.0f, 0.0f, 0.0f}, {4.0f, 0.0f, 0.0f}};
+  scan.views = {{{Eigen::Quaterniond::Identity(), {10.0, 0.0, 1.0}}, 2},
+                {{expSO3({0.0, 0.0, M_PI}), {-10.0, 0.0, 2.0}}, 4}};
+  const PreprocessedScan result = preprocess(scan, ConstantMotion(), ranges(0.5, 20.0));
+  ASSERT_EQ(result.points_base.size(), 3u);
+  EXPECT_EQ(result.too_near, 1u);
+  EXPECT_LT((result.points_base[0] - Eigen::Vector3f(12.0f, 0.0f, 1.0f)).norm(), 1e-5f);
+  EXPECT_LT((result.points_base[1] - Eigen::Vector3f(-13.0f, 0.0f, 2.0f)).norm(), 1e-5f);
+  ASSERT_EQ(result.views.size(), 2u);
+  EXPECT_EQ(result.views[0].end, 1u);
+  EXPECT_EQ(result.views[1].end, 3u);
+  EXPECT_EQ(result.views[1].sensor_base, Eigen::Vector3d(-10.0, 0.0, 2.0));
+}
+
+TEST(Preprocessing, PointsInTheBoxOfTheRobotAreDropped) {
+  OdometryConfig config = ranges(0.0, 20.0);
+  config.body = "-1 -1 0  1 1 2";
+  Scan scan;
+  scan.T_base_sensor.translation.z() = 1.8;
+  scan.points = {{0.5f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.5f}, {3.0f, 0.0f, 0.0f}};
+  const PreprocessedScan result = preprocess(scan, ConstantMotion(), config);
+  EXPECT_EQ(result.on_body, 1u);
+  EXPECT_EQ(result.points_base.size(), 2u);
+  config.body = "1 2 3";
+  EXPECT_THROW(Odometry{config}, ParameterError);
 }
 
 }  // namespace

@@ -118,5 +118,22 @@ TEST_F(LoopClosingTest, everyMapIsReportedWithoutLoopsToo) {
   EXPECT_TRUE(closing.isIdle());
 }
 
+/// The graph may have positions of GNSS for any map, and is asked after each.
+TEST_F(LoopClosingTest, withGnssEveryMapWaitsForTheGraph) {
+  config_.loops.enabled = false;
+  config_.gnss.topic = "/fix";
+  LoopClosing closing(config_, outputs());
+  for (const LocalMapPtr& map : maps_) closing.add(map);
+  closing.finish({{}, 0, 7});
+  for (std::size_t answered = 0; closed_.empty() && answered < 1000; ++answered) {
+    ASSERT_EQ(closures_.size(), answered + 1);
+    ASSERT_EQ(closures_.back().request, answered + 1);
+    closing.correct(unchangedMap({}, closures_.back().request));
+  }
+  EXPECT_EQ(closed_.size(), 1u);
+  EXPECT_TRUE(closing.isIdle());
+  EXPECT_GE(closures_.size(), maps_.size());
+}
+
 }  // namespace
 }  // namespace revisit_slam

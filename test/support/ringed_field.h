@@ -27,7 +27,7 @@ class RingedField {
   /// From `T_field_base` at once, without times. The sensor is 1.8 m above the base.
   Scan scan(Stamp stamp, const Pose& T_field_base, double noise, RandomNumbers& random) const {
     constexpr int columns = 512, rings = 32;
-    Scan scan{stamp, {}, {}, {Eigen::Quaterniond::Identity(), {0.0, 0.0, kHeight}}};
+    Scan scan{stamp, {}, {}, {Eigen::Quaterniond::Identity(), {0.0, 0.0, kHeight}}, {}};
     const Pose T_field_sensor = T_field_base * scan.T_base_sensor;
     for (int column = 0; column < columns; ++column)
       for (int ring = 0; ring < rings; ++ring) {

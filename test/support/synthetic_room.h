@@ -41,7 +41,7 @@ class SyntheticRoom {
   Scan sweep(Stamp stamp, const Pose& T_room_base, const Tangent& velocity,
              const Pose& T_base_sensor, double noise, RandomNumbers& random) const {
     constexpr int columns = 360, rows = 16;
-    Scan scan{stamp, {}, {}, T_base_sensor};
+    Scan scan{stamp, {}, {}, T_base_sensor, {}};
     for (int column = 0; column < columns; ++column) {
       const double time = 0.1 * (column + 1 - columns) / columns;
       const Pose T_room_sensor = T_room_base * exp(time * velocity) * T_base_sensor;

@@ -19,6 +19,10 @@ struct ScanInputConfig {
   double scan_period = 0.0;
   bool azimuth_clockwise = true;
   double azimuth_start = 180.0;
+  std::string topics;
+  std::string ranges;
+  std::string time_offsets;
+  double max_wait = 0.2;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -52,6 +56,19 @@ struct ScanInputConfig {
     v("azimuth_start", azimuth_start, Range{-360.0, 360.0}, "deg",
       "direction in which a sweep starts, counter-clockwise from the x axis of the sensor, for "
       "time_field azimuth; 180: behind. Set it to where scans in motion have a seam");
+    v("topics", topics, Choices{}, "",
+      "topics of the scans of several sensors, between spaces, which are merged into one sweep, "
+      "live "
+      "and in bags; empty: one sensor, on the topic points");
+    v("ranges", ranges, Choices{}, "",
+      "shortest and longest range of each of input/topics, in their order, between spaces (m), "
+      "within odometry/min_range and odometry/max_range; empty: these alone");
+    v("time_offsets", time_offsets, Choices{}, "",
+      "time that is added to the stamps of each of input/topics, in their order, between spaces "
+      "(s); empty: none");
+    v("max_wait", max_wait, Range{0.0, 10.0}, "s",
+      "time by which one of input/topics may be ahead of others; then its sweeps go on without "
+      "them. Raise it if scans of a sensor come late; lower it if poses must not");
   }
 };
 

@@ -48,6 +48,7 @@ struct ScanReading {
   /// From the message's header, known for a rejected message too where the header is readable.
   std::string frame_id;
   Stamp header_stamp;
+  std::size_t sensor = 0;  ///< number of its topic among input/topics
 };
 
 }  // namespace revisit_slam

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <memory>
+#include <optional>
 
 #include "revisit_slam/mapping/map_hierarchy.h"
 #include "revisit_slam/mapping/point_map.h"
@@ -41,7 +42,8 @@ class MapBuilder {
   MapHierarchy hierarchy_;
   PointMap detail_;
   OccupancyBuilder occupancy_;
-  Pose T_odom_submap_;  // of the open one
+  Pose T_odom_submap_;               // of the open one
+  std::optional<Pose> T_odom_last_;  // of the scan before; none: its pose was lost
   bool open_ = false;
   tbb::task_arena arena_{1};
 };

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "revisit_slam/occupancy/occupancy_config.h"
 #include "revisit_slam/occupancy/scan_rays.h"
 #include "revisit_slam/occupancy/submap_occupancy.h"
+#include "revisit_slam/types/registered_scan.h"
 
 namespace revisit_slam {
 
@@ -29,9 +31,15 @@ class OccupancyBuilder {
 
   /// Takes the scan in if the platform moved since the last one taken in.
   /// @param sensor_base where the rays start, in the base frame.
+  /// @param views of several sensors, where the rays of each start; empty: all as above.
   /// @return whether it was taken in.
   bool insert(const Points& points_base, const Pose& T_submap_base,
-              const Eigen::Vector3d& sensor_base);
+              const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views = {});
+
+  /// The robot has moved: between its base and its sensor, and on the way from one pose to the
+  /// other, nothing is in the way. The ground below the base stays.
+  void drive(const Pose& T_submap_from, const Pose& T_submap_to,
+             const Eigen::Vector3d& sensor_base);
 
   /// What was counted; the builder is empty afterwards and holds no memory of it. Of counts above
   /// BlockCounts::kMostCount the proportion of hits to misses is kept.
@@ -42,8 +50,10 @@ class OccupancyBuilder {
     Voxel block;
     BlockCounter hits;
     BlockCounter misses;
+    VoxelMask driven;
   };
 
+  void markDriven(const Eigen::Vector3d& p_submap);
   bool moved(const Pose& T_submap_base) const;
 
   OccupancyConfig config_;

@@ -14,6 +14,7 @@ namespace revisit_slam {
 struct BlockEvidence {
   std::array<std::uint32_t, kBlockVoxels> hits{};
   std::array<std::uint32_t, kBlockVoxels> misses{};
+  VoxelMask driven;  ///< the robot was there
 };
 
 /// The blocks of the map in which the submap may say something, in BlockOrder, each once.

@@ -9,16 +9,17 @@
 
 namespace revisit_slam {
 
-/// How often the voxels of one block were hit and passed, 0 to kMostCount each. A count is two bit
-/// planes, low and high.
+/// How often the voxels of one block were hit and passed, 0 to kMostCount each, and in which of
+/// them the robot was. A count is two bit planes, low and high.
 struct BlockCounts {
   static constexpr int kMostCount = 3;
-  enum Plane { kHitLow, kHitHigh, kMissLow, kMissHigh, kPlanes };
+  enum Plane { kHitLow, kHitHigh, kMissLow, kMissHigh, kDriven, kPlanes };
 
   std::array<VoxelMask, kPlanes> planes;
 
   std::uint32_t hits(int bit) const { return count(kHitLow, bit); }
   std::uint32_t misses(int bit) const { return count(kMissLow, bit); }
+  bool driven(int bit) const { return planes[kDriven].test(bit); }
   VoxelMask hit() const { return planes[kHitLow] | planes[kHitHigh]; }
   void set(int bit, int hits, int misses);
 

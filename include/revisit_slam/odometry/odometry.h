@@ -33,6 +33,7 @@ struct OdometryResult {
   OdometryOutcome outcome = OdometryOutcome::registered;
   std::optional<RegisteredScan> scan;
   std::size_t too_near = 0, too_far = 0;  ///< points dropped by range
+  std::size_t on_body = 0;                ///< points dropped in the box of the robot itself
   StageTimes times;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 
 #include "revisit_slam/icp/local_voxel_map_config.h"
@@ -109,6 +110,7 @@ struct FitConfig {
 struct OdometryConfig {
   double max_range = 100.0;
   double min_range = 0.5;
+  std::string body;
   bool deskew = true;
   bool adaptive_voxel_size = true;
   bool redo_first_scans = true;
@@ -121,6 +123,9 @@ struct OdometryConfig {
   AdaptiveThresholdConfig threshold;
   FitConfig fit;
 
+  /// Empty where there is none. @throws ParameterError
+  Eigen::AlignedBox3f bodyBox() const;
+
   template <typename Visitor>
   void visit(Visitor& v) {
     v("max_range", max_range, Range{1.0, 1000.0}, "m",
@@ -129,6 +134,9 @@ struct OdometryConfig {
     v("min_range", min_range, Range{0.0, 100.0}, "m",
       "distance from the sensor within which points are dropped. Raise it if the sensor sees its "
       "bearer; lower it in narrow surroundings");
+    v("body", body, Choices{}, "",
+      "box of the robot itself in the base frame, two opposite corners x y z x y z (m), in which "
+      "points are dropped; empty: none");
     v("deskew", deskew, "correction of the motion within a scan where its point times are known");
     v("adaptive_voxel_size", adaptive_voxel_size,
       "smaller voxels of the local map where scans reach less than ten of them, as in rooms, or a "

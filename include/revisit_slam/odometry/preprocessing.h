@@ -6,6 +6,7 @@
 #include "revisit_slam/odometry/motion.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/odometry/sweep_motion.h"
+#include "revisit_slam/types/registered_scan.h"
 #include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
@@ -18,6 +19,8 @@ struct PreprocessedScan {
   std::vector<float> sweep_fractions;
   std::size_t too_near = 0;
   std::size_t too_far = 0;
+  std::size_t on_body = 0;
+  std::vector<PointsView> views;  ///< those of the scan
   bool deskewed = false;
 };
 

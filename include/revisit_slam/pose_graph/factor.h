@@ -6,6 +6,7 @@
 
 #include "revisit_slam/pose_graph/position_factor.h"
 #include "revisit_slam/pose_graph/relative_pose_factor.h"
+#include "revisit_slam/pose_graph/relative_position_factor.h"
 #include "revisit_slam/pose_graph/robust_kernel.h"
 
 namespace revisit_slam {
@@ -23,7 +24,7 @@ namespace revisit_slam {
 /// that of the first scan's base then, and need not point up. One that binds several must not
 /// change when these are moved together. A node that such a factor binds is kept by the chain
 /// reduction.
-using Measurement = std::variant<RelativePoseFactor, PositionFactor>;
+using Measurement = std::variant<RelativePoseFactor, PositionFactor, RelativePositionFactor>;
 
 /// The nodes that a factor binds, as a range.
 class FactorNodes {

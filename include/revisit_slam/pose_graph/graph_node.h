@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
+#include "revisit_slam/types/gnss_fix.h"
 #include "revisit_slam/types/informed_scan.h"
 
 namespace revisit_slam {
@@ -11,11 +14,12 @@ struct GraphNode {
   Stamp stamp;
   Pose T_odom_base;
   Matrix6 information = Matrix6::Identity();  ///< Lambda_odo, of the motion since the scan before
+  std::vector<GnssFix> fixes{};  ///< that take part from this scan on; of it or scans before
 };
 
 inline GraphNode nodeOf(const InformedScan& informed) {
   const RegisteredScan& scan = *informed.scan;
-  return {scan.id, scan.stamp, scan.T_odom_base, informed.estimate.information};
+  return {scan.id, scan.stamp, scan.T_odom_base, informed.estimate.information, scan.fixes};
 }
 
 }  // namespace revisit_slam

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "revisit_slam/pose_graph/back_end_config.h"
+#include "revisit_slam/pose_graph/gnss_factors.h"
 #include "revisit_slam/pose_graph/graph_node.h"
 #include "revisit_slam/pose_graph/pose_graph.h"
 #include "revisit_slam/pose_graph/pose_graph_solution.h"
@@ -15,13 +17,15 @@
 namespace revisit_slam {
 
 /// The pose graph of a drive, or of several sessions: one node a scan, odometry edges between
-/// consecutive scans of a session, loop edges between first scans of submaps, and the poses of the
-/// last good optimisation. It alone knows which node of a PoseGraph stands for which scan. Sessions
-/// that loops do not tie to each other have maps of their own (SessionGroups); loops that tie two
-/// for the first time bring the later one into the map of the earlier.
+/// consecutive scans of a session, loop edges between first scans of submaps, positions of GNSS in
+/// a frame enu that is a node of its own, and the poses of the last good optimisation. It alone
+/// knows which node of a PoseGraph stands for which scan. Sessions that loops do not tie to each
+/// other have maps of their own (SessionGroups); loops that tie two for the first time bring the
+/// later one into the map of the earlier. Positions of GNSS count in the map of the first session.
 class SlamGraph {
  public:
-  explicit SlamGraph(const BackEndConfig& config) : config_(config) {}
+  explicit SlamGraph(const BackEndConfig& config, const GnssConfig& gnss = {})
+      : config_(config), gnss_(gnss) {}
 
   /// Takes effect with the next optimisation.
   void reconfigure(const BackEndConfig& config);
@@ -55,6 +59,11 @@ class SlamGraph {
   /// Of the newest session.
   Pose T_map_odom() const { return T_map_odom_; }
 
+  /// Whether an optimisation up to this scan would have positions of GNSS that are new.
+  bool hasNewFixes(ScanId last) const { return gnss_.hasNew(nodeOfScan(last).value + 1); }
+  /// Where the map lies on the earth by the last optimisation.
+  std::optional<Georeference> georeference() const { return gnss_.georeference(); }
+
   /// Of the last optimisation with new loops; its time includes that of trying rejected ones.
   const PoseGraphSolution& lastSolution() const { return last_solution_; }
   /// How far the last optimisation moved scan `last`, m.
@@ -79,6 +88,7 @@ class SlamGraph {
   struct LoopGraph {
     PoseGraph graph;
     std::vector<LoopFactor> loops;
+    std::optional<GnssTerms> gnss;  // its node is the last one
   };
 
   NodeId nodeOfScan(ScanId id) const { return NodeId{static_cast<std::uint32_t>(scans_[id])}; }
@@ -87,6 +97,7 @@ class SlamGraph {
   void joinSessions(const Batch& batch);
   void moveGroup(const SessionGroups& groups, SessionId group, const Pose& T_new_map);
   RelativePoseFactor factorOf(const Constraint& constraint) const;
+  RelativePoseFactor odometryEdge(std::size_t to) const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
   Batch append(const std::vector<LoopConstraint>& new_loops);
@@ -96,9 +107,10 @@ class SlamGraph {
   void tryRejected(ScanId last);
   bool overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                  const std::vector<FactorResidual>& residuals) const;
-  void take(PoseGraphSolution& solution, const std::vector<LoopFactor>& active);
+  void take(PoseGraphSolution& solution, const LoopGraph& solved);
 
   BackEndConfig config_;
+  GnssFactors gnss_;
   std::vector<GraphNode> nodes_;     // by NodeId
   SessionOffsets<ScanId> scans_;     // in nodes_
   std::vector<LoopEdge> loops_;      // by LoopId

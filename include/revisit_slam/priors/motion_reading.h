@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "revisit_slam/priors/gnss_reading.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/se3.h"
 #include "revisit_slam/types/stamp.h"
@@ -28,7 +29,8 @@ struct ImuReading {
   std::optional<double> turn_rate_variance;
 };
 
-using MotionReading = std::variant<OdometryReading, ImuReading>;
+/// What sensors beside the LiDAR measure.
+using MotionReading = std::variant<OdometryReading, ImuReading, GnssReading>;
 
 /// A motion of the base that was measured.
 struct MeasuredMotion {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -70,8 +71,19 @@ struct SessionsTakenOver {
   std::vector<Pose> T_map_scan;  ///< session after session, by number
 };
 
+/// Positions of GNSS, of the scans that are added next: each with that with which it came.
+struct FixesAdded {
+  std::vector<std::pair<ScanId, GnssFix>> fixes;
+};
+
+/// Where an optimisation left the map on the earth.
+struct MapGeoreferenced {
+  std::uint32_t version = 0;  ///< of the optimisation
+  Georeference georeference;
+};
+
 using LogEntry = std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten,
-                              ParametersChanged, SessionsTakenOver>;
+                              ParametersChanged, SessionsTakenOver, FixesAdded, MapGeoreferenced>;
 
 /// Whether an entry is one of graph.log, which follows the drive; else it is one of
 /// optimisations.log, which follows the graph.
@@ -79,7 +91,7 @@ bool belongsToDrive(const LogEntry& entry);
 
 /// What either log begins with.
 std::string graphLogHeader();
-/// An entry as bytes of the log.
+/// An entry as bytes of the log; scans with positions of GNSS as two.
 std::string encodeEntry(const LogEntry& entry);
 
 struct GraphLog {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "revisit_slam/io/trajectory.h"
@@ -15,6 +16,7 @@ struct SessionGraph {
   std::vector<Pose> T_map_scan;  ///< likewise
   Pose T_map_odom;               ///< of the last session
   std::vector<LoopEdge> loops;   ///< by LoopId
+  std::optional<Georeference> georeference;
 };
 
 /// Where each scan is among the nodes.

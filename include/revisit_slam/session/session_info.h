@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "revisit_slam/types/geodetic_position.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/stamp.h"
 #include "revisit_slam/util/parameters.h"
@@ -28,6 +30,8 @@ struct SessionInfo {
   std::string sensor;                 ///< where the scans came from: topic, bag, frame
   std::vector<NamedText> parameters;  ///< in force at the start
   std::vector<JoinedSession> joined;  ///< by id, which are above its own
+  /// Of the frame enu, as soon as the map is aligned with it.
+  std::optional<GeodeticPosition> datum;
 };
 
 /// The version of this software.

@@ -16,12 +16,14 @@ struct StoredParameters {
   MappingConfig mapping;
   OccupancyConfig occupancy;
   BackEndConfig backend;
+  GnssConfig gnss;
 
   template <typename Visitor>
   void visit(Visitor& v) {
     v.group("mapping", mapping);
     v.group("occupancy", occupancy);
     v.group("backend", backend);
+    v.group("gnss", gnss);
   }
 };
 StoredParameters storedParameters(const SessionInfo& info);

@@ -44,6 +44,8 @@ class SessionWriter {
   void add(std::vector<GraphNode> scans, const SubmapClosed& closed, const MapUpdatePtr& update);
   void add(const StoredLocalMap& map);
   void add(LogEntry entry);
+  /// The datum of the frame enu, for session.yaml.
+  void setDatum(const GeodeticPosition& datum);
   /// Every scan is in a submap that was added.
   void close();
 

@@ -74,8 +74,9 @@ class LoopClosing {
   void begin(const MapsClosed& closed);
   void searchAfterAnswer();
   void searchToTheEnd(const MapsClosed& closed);
-  void hand(const LoopSearchResult& result, std::function<void()> then);
+  bool hand(const LoopSearchResult& result, std::function<void()> then);
 
+  bool with_gnss_;
   LoopDetector detector_;
   const Outputs outputs_;
   std::deque<Work> work_;  // not begun

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "revisit_slam/information/information_estimator.h"
 #include "revisit_slam/input/scan_reading.h"
 #include "revisit_slam/input/sweep_assembler.h"
+#include "revisit_slam/input/sweep_merger.h"
 #include "revisit_slam/odometry/odometry.h"
+#include "revisit_slam/priors/gnss_track.h"
 #include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
@@ -29,10 +32,11 @@ struct OdometryOutput {
 };
 
 /// From readings to registered scans that carry their registration problem, with an account of
-/// everything that was dropped. Readings that hold a part of a sweep are joined first. A clock that
+/// everything that was dropped. Readings that hold a part of a sweep are joined first, and
+/// those of several sensors merged. A clock that
 /// was set back begins a session by itself. Where motion is measured outside, a scan waits until
 /// its readings have come, or a later scan is ahead of it by priors/max_wait: what a scan is
-/// predicted with depends on stamps, not on who comes first.
+/// predicted with depends on stamps, not on who comes first. Positions of GNSS go with later scans.
 class OdometryStage {
  public:
   /// Sessions count from `first`.
@@ -55,9 +59,7 @@ class OdometryStage {
   /// Counts a message that never became a reading. A gap in the stamps is no wonder then.
   void countDropped(const std::string& reason);
   /// Likewise of one that measures motion, by MotionPriors' name of its sensor.
-  void countDroppedMotion(const std::string& sensor, const std::string& reason) {
-    priors_.countDropped(sensor, reason);
-  }
+  void countDroppedMotion(const std::string& sensor, const std::string& reason);
 
   /// The next scan is the first of another session, in an odometry frame of its own; the account
   /// begins anew.
@@ -68,8 +70,14 @@ class OdometryStage {
   /// Since startSession().
   const ScanAccount& account() const { return account_; }
   const MotionPriors& priors() const { return priors_; }
+  /// Of the sensors beside the LiDAR that are connected, by name.
+  std::map<std::string, PriorAccount> sensorAccounts() const;
+  /// Of several LiDARs, by topic; empty where there is one.
+  std::map<std::string, SensorAccount> lidarAccounts() const { return merger_.accounts(); }
   /// Readings that wait for the next, or for measured motion.
-  std::size_t held() const { return assembler_.held() + gate_.held() + waiting_.size(); }
+  std::size_t held() const {
+    return assembler_.held() + merger_.held() + gate_.held() + waiting_.size();
+  }
   /// What is unusual about the messages; empty where nothing is.
   const std::string& sweepForm() const { return assembler_.description(); }
   /// Whether that is point times that cannot be.
@@ -77,6 +85,7 @@ class OdometryStage {
 
  private:
   void process(std::vector<SweepAssembler::Sweep> sweeps, std::vector<Result>& results);
+  void process(std::vector<ScanReading> merged, std::vector<Result>& results);
   void process(std::vector<StampGate::Decision> decisions, std::vector<Result>& results);
   void release(bool all, std::vector<Result>& results);
   bool mayGoOn(bool all);
@@ -84,7 +93,7 @@ class OdometryStage {
   Odometry makeOdometry();
   Result registerScan(ScanReading reading);
   void beginSession();
-  ScanId idOf(const RegisteredScan& scan);
+  void nameScan(RegisteredScan& scan);
   Result reject(const std::string& reason, const std::string& detail = "");
   std::shared_ptr<const RegistrationProblem> gather(const RegisteredScan& scan) const;
 
@@ -96,9 +105,11 @@ class OdometryStage {
   InformationEstimator information_;
   tbb::task_arena arena_;
   SweepAssembler assembler_;
+  SweepMerger merger_;
   std::string said_sweep_form_;
   StampGate gate_;
   MotionPriors priors_;
+  GnssTrack gnss_;
   Odometry odometry_;
   RestDetector rest_;
   std::uint32_t ids_ = 0;                    // given in the session

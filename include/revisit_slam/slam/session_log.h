@@ -66,6 +66,7 @@ class SessionLog {
  private:
   GraphOptimised optimised(std::vector<LoopConstraint> new_loops) const;
   TrajectoryWritten optimisedTrajectory() const;
+  void writeGeoreference(SessionWriter& writer) const;
   void addTrajectory();
   std::vector<GraphNode> nodesFrom(std::size_t first, std::size_t end) const;
   void writeAll(SessionWriter& writer, const SessionWriter* lost) const;

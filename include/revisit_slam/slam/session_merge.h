@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ class SessionMerge {
   LoopClosing::Outputs outputs(OnSearch on_search);
   void addMaps();
   void answer(const LoopClosures& closures);
+  std::optional<Georeference> georeference() const;
   SessionId sessionOf(std::size_t map) const;
 
   const SlamConfig& config_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "revisit_slam/slam/back_end.h"
 #include "revisit_slam/slam/executor.h"
 #include "revisit_slam/slam/information_stage.h"
@@ -40,7 +43,8 @@ class Slam {
   void finish();
 
   const ScanAccount& account() const { return odometry_.account(); }
-  const MotionPriors& priors() const { return odometry_.priors(); }
+  std::map<std::string, PriorAccount> sensorAccounts() const { return odometry_.sensorAccounts(); }
+  std::map<std::string, SensorAccount> lidarAccounts() const { return odometry_.lidarAccounts(); }
   /// After finish(): the last; null without scans.
   GraphSession* session() { return back_end_.session(); }
   const GraphSession* session() const { return back_end_.session(); }

@@ -10,6 +10,7 @@
 #include "revisit_slam/occupancy/occupancy_config.h"
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/pose_graph/back_end_config.h"
+#include "revisit_slam/priors/gnss_config.h"
 #include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/slam/background_config.h"
 #include "revisit_slam/util/parameters.h"
@@ -20,6 +21,7 @@ struct FramesConfig {
   std::string map = "map";
   std::string odom = "odom";
   std::string base = "base_link";
+  std::string earth;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -29,6 +31,9 @@ struct FramesConfig {
       "name of the odometry frame, in which the base frame moves without jumps");
     v("base", base, Choices{}, "",
       "name of the frame whose pose is estimated; empty: the frame of the sensor");
+    v("earth", earth, Choices{}, "",
+      "name of the frame of the earth's centre (ECEF), in which the map frame is broadcast as soon "
+      "as GNSS has aligned it; usually earth; empty: it is not broadcast");
   }
 };
 
@@ -83,6 +88,7 @@ struct SlamConfig {
   FramesConfig frames;
   ScanInputConfig input;
   PriorsConfig priors;
+  GnssConfig gnss;
   OdometryConfig odometry;
   InformationConfig information;
   MappingConfig mapping;
@@ -99,6 +105,7 @@ struct SlamConfig {
     v.group("frames", frames);
     v.group("input", input);
     v.group("priors", priors);
+    v.group("gnss", gnss);
     v.group("odometry", odometry);
     v.group("information", information);
     v.group("mapping", mapping);

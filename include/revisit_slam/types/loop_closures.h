@@ -19,7 +19,7 @@ struct LoopClosures {
   LoopOrigin origin = LoopOrigin::appearance;
   /// Numbers the closures of a session from 1; the correction that answers them bears it.
   std::uint32_t request = 0;
-  /// Without any there is nothing to correct, and no answer.
+  /// Without any there is nothing to correct, and no answer unless there is a request.
   std::vector<LoopConstraint> constraints;
   /// The map as place recognition sees it, for the session's files; null for retroactive ones.
   std::shared_ptr<const PlaceView> view;

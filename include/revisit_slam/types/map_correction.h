@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "revisit_slam/types/georeference.h"
 #include "revisit_slam/types/loop_edge.h"
 #include "revisit_slam/types/pose.h"
 
@@ -13,7 +16,7 @@ namespace revisit_slam {
 /// What an optimisation made of the map: one numbered, immutable snapshot (paper Sec. III-D).
 struct MapCorrection {
   SessionId session;
-  /// Counts from 1. 0: the graph does not know the session, and says no more than that.
+  /// Counts from 1. 0: nothing has changed, and this answers a request alone.
   std::uint32_t version = 0;
   /// The loop closures that it answers (LoopClosures::request); 0: it was asked for otherwise.
   std::uint32_t request = 0;
@@ -23,11 +26,21 @@ struct MapCorrection {
   Pose T_map_odom;
   /// All loop constraints so far, by LoopId.
   std::vector<LoopEdge> loops;
+  /// Where the map lies on the earth; none: not known yet.
+  std::optional<Georeference> georeference;
   /// How far the end of the optimised trajectory moved, m.
   double moved_end = 0.0;
   double seconds = 0.0;  ///< of optimisation
 };
 
 using MapCorrectionPtr = std::shared_ptr<const MapCorrection>;
+
+/// The answer to a request where there is nothing to correct, or no graph of the session.
+inline MapCorrectionPtr unchangedMap(SessionId session, std::uint32_t request) {
+  MapCorrection nothing;
+  nothing.session = session;
+  nothing.request = request;
+  return std::make_shared<const MapCorrection>(std::move(nothing));
+}
 
 }  // namespace revisit_slam

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "revisit_slam/types/gnss_fix.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/pose_verdict.h"
@@ -12,6 +15,12 @@
 #include "revisit_slam/types/stamp.h"
 
 namespace revisit_slam {
+
+/// Points that one of several sensors saw, and follow one another.
+struct PointsView {
+  Eigen::Vector3d sensor_base;
+  std::size_t end = 0;  ///< behind the last of them
+};
 
 /// A scan with its place in the odometry frame; what the odometry hands on.
 struct RegisteredScan {
@@ -30,11 +39,14 @@ struct RegisteredScan {
   double seconds_since_previous = 0.0;  ///< 0 for the first scan
   Points points_base;                   ///< all points in range, deskewed to `stamp`
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
+  /// Of several sensors: from where the points that follow one another were. Empty: from above.
+  std::vector<PointsView> views;
   Points source_base;       ///< the down-sampled points that were registered
   double voxel_size = 0.0;  ///< m, edge of the local map's voxels that it was registered with
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
   bool deskewed = false;
+  std::vector<GnssFix> fixes;  ///< that are due with it, of scans before
 };
 
 using RegisteredScanPtr = std::shared_ptr<const RegisteredScan>;

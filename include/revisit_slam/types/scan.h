@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "revisit_slam/types/pose.h"
@@ -11,6 +12,12 @@ namespace revisit_slam {
 
 /// Points in metres; float keeps them to 8 micrometres at 100 m, as the drivers deliver them.
 using Points = std::vector<Eigen::Vector3f>;
+
+/// Where points were seen from that follow one another in a scan.
+struct ScanView {
+  Pose T_base_sensor;
+  std::size_t end = 0;  ///< behind the last of them
+};
 
 /// One sweep of the sensor, as measured: not deskewed, every point finite and not the origin.
 struct Scan {
@@ -24,6 +31,9 @@ struct Scan {
   std::vector<float> times;
   /// The sensor on the robot.
   Pose T_base_sensor;
+  /// Of a sweep of several sensors: the points of one after those of another, each in the frame of
+  /// its own. Empty: all are of the sensor above.
+  std::vector<ScanView> views;
 };
 
 }  // namespace revisit_slam

@@ -51,8 +51,8 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
     : config_(withOrWithoutMaps(config)),
       source_(std::move(source)),
       folder_(folder),
-      reader_(config.input),
-      motion_reader_(config.priors,
+      readers_(source_->sensors(), ScanReader(config.input)),
+      motion_reader_(config.priors, config.gnss,
                      [this](const std::string& frame) -> std::optional<Pose> {
                        if (frame == tracked_frame_) return Pose::identity();
                        return source_->findExtrinsics(tracked_frame_, frame);
@@ -77,30 +77,38 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
 void OfflineRun::run() {
   progress_.say(source_->description() + ", " + std::to_string(total_) + " scans");
   if (!source_->notice().empty()) progress_.say(source_->notice() + " and left out");
-  placeSensor();
+  placeSensors();
   processAll();
   finishMaps();
   progress_.finish();
   sayPriors();
+  sayLidars();
   const std::string drops = describeDrops(slam_.account());
   if (!drops.empty() && slam_.account().processed > 0) progress_.say("WARNING: " + drops);
   writeResults();
 }
 
-void OfflineRun::placeSensor() {
+void OfflineRun::placeSensors() {
   const std::string sensor_frame = source_->sensorFrame(), base_frame = config_.frames.base;
   tracked_frame_ = base_frame;
-  if (base_frame.empty() || !source_->hasTransforms()) {
+  if (readers_.size() == 1 && (base_frame.empty() || !source_->hasTransforms())) {
     tracked_frame_ = sensor_frame;
     progress_.say("poses are those of the sensor, frame '" + sensor_frame + "'" +
                   (base_frame.empty() ? "" : ": there are no transforms"));
     return;
   }
-  const std::optional<Pose> T_base_sensor = source_->findExtrinsics(base_frame, sensor_frame);
+  if (base_frame.empty()) tracked_frame_ = sensor_frame;
+  for (std::size_t sensor = 0; sensor < readers_.size(); ++sensor) placeSensor(sensor);
+}
+
+void OfflineRun::placeSensor(std::size_t sensor) {
+  const std::string frame = source_->sensorFrame(sensor);
+  if (frame == tracked_frame_) return;
+  const std::optional<Pose> T_base_sensor = source_->findExtrinsics(tracked_frame_, frame);
   if (!T_base_sensor)
-    throw BagError("the bag has no transform from '" + sensor_frame + "' to '" + base_frame +
+    throw BagError("the bag has no transform from '" + frame + "' to '" + tracked_frame_ +
                    "'; give --base-frame a frame that it has, or none for the sensor's own");
-  reader_.setExtrinsics(*T_base_sensor);
+  readers_[sensor].setExtrinsics(*T_base_sensor);
 }
 
 void OfflineRun::processAll() {
@@ -132,9 +140,10 @@ void OfflineRun::process(const ScanMessage& message) {
   } else if (const auto* unreadable_motion = std::get_if<UnreadableMotion>(&message)) {
     slam_.countDroppedMotion(unreadable_motion->sensor, unreadable_motion->reason);
   } else if (const auto* cloud = std::get_if<PointCloud>(&message)) {
-    insert(reader_.read(*cloud), clock);
+    insert(readers_.front().read(*cloud), 0, clock);
   } else {
-    insert(reader_.read(std::get<RawMessage>(message)), clock);
+    const auto& raw = std::get<RawMessage>(message);
+    insert(readers_[raw.sensor].read(raw), raw.sensor, clock);
   }
 }
 
@@ -146,7 +155,7 @@ void OfflineRun::process(const MotionMessage& message) {
 }
 
 void OfflineRun::sayPriors() {
-  for (const auto& [sensor, account] : slam_.priors().accounts()) {
+  for (const auto& [sensor, account] : slam_.sensorAccounts()) {
     std::string line = sensor + ": " + std::to_string(account.received) + " messages; entered " +
                        std::to_string(account.used) + " scans, rejected in " +
                        std::to_string(account.rejected) + ", missing in " +
@@ -158,8 +167,19 @@ void OfflineRun::sayPriors() {
   }
 }
 
-void OfflineRun::insert(ScanReading reading, StageClock clock) {
+void OfflineRun::sayLidars() {
+  for (const auto& [topic, account] : slam_.lidarAccounts()) {
+    std::string line = topic + ": " + std::to_string(account.messages) + " messages, " +
+                       std::to_string(account.points) + " points in sweeps";
+    for (const auto& [reason, count] : account.points_dropped)
+      line += "; dropped " + std::to_string(count) + ": " + reason;
+    progress_.say(line);
+  }
+}
+
+void OfflineRun::insert(ScanReading reading, std::size_t sensor, StageClock clock) {
   clock.stage("read");
+  reading.sensor = sensor;
   sayTimeSource();
   slam_.insert(std::move(reading), clock.times());
 }
@@ -189,9 +209,10 @@ void OfflineRun::finishMaps() {
 }
 
 void OfflineRun::sayTimeSource() {
-  if (reader_.description() == said_time_source_) return;
-  said_time_source_ = reader_.description();
-  const std::string remedy = reader_.remedy();
+  const ScanReader& reader = toBeTold(readers_);
+  if (reader.description() == said_time_source_) return;
+  said_time_source_ = reader.description();
+  const std::string remedy = reader.remedy();
   progress_.say(remedy.empty() ? said_time_source_
                                : "WARNING: " + said_time_source_ + "; " + remedy);
 }
@@ -265,10 +286,10 @@ void OfflineRun::writeResults() {
   summary.parameters = parametersOf(config_);
   summary.account = account;
   summary.interrupted = interruption() != 0;
-  summary.priors = slam_.priors().accounts();
+  summary.priors = slam_.sensorAccounts();
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
-  summary.time_source = reader_.description();
+  summary.time_source = readers_.front().description();
   summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   summary.reading_cpu_seconds = reading_cpu_seconds_;
   summary.finish_seconds = finish_seconds_;

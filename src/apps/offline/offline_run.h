@@ -37,12 +37,14 @@ class OfflineRun : private SlamObserver {
   void run();
 
  private:
-  void placeSensor();
+  void placeSensors();
+  void placeSensor(std::size_t sensor);
   void processAll();
   void process(const ScanMessage& message);
   void process(const MotionMessage& message);
   void sayPriors();
-  void insert(ScanReading reading, StageClock clock);
+  void sayLidars();
+  void insert(ScanReading reading, std::size_t sensor, StageClock clock);
   void finishMaps();
   void sayTimeSource();
   SessionTarget targetOf(SessionId session) const;
@@ -72,7 +74,7 @@ class OfflineRun : private SlamObserver {
   SlamConfig config_;
   std::unique_ptr<ScanSource> source_;
   RunFolder folder_;
-  ScanReader reader_;
+  std::vector<ScanReader> readers_;  // one for each sensor
   MotionReader motion_reader_;
   OfflineExtent extent_;
   const SessionId first_session_;

@@ -4,6 +4,7 @@
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -70,12 +71,23 @@ ScanReading readScan(const rosbag::MessageInstance& instance, ScanReader& reader
   }
 }
 
-BagScans::BagScans(const std::vector<std::string>& paths, const std::string& topic) {
+BagScans::BagScans(const std::vector<std::string>& paths, const std::vector<std::string>& topics) {
   for (const std::string& path : paths) open(path);
-  topic_ = chooseTopic(topic);
+  for (const std::string& topic : topics) topics_.push_back(chooseTopic(topic));
   scans_ = std::make_unique<rosbag::View>();
-  for (const auto& bag : bags_) scans_->addQuery(*bag, rosbag::TopicQuery(topic_));
+  for (const auto& bag : bags_) scans_->addQuery(*bag, rosbag::TopicQuery(topics_));
   readTransforms();
+}
+
+std::string BagScans::topic() const {
+  std::string all;
+  for (const std::string& topic : topics_) all += (all.empty() ? "" : " ") + topic;
+  return all;
+}
+
+std::size_t BagScans::sensorOf(const std::string& topic) const {
+  return static_cast<std::size_t>(std::find(topics_.begin(), topics_.end(), topic) -
+                                  topics_.begin());
 }
 
 void BagScans::open(const std::string& path) {
@@ -121,8 +133,9 @@ std::string BagScans::chooseTopic(const std::string& wanted) {
   return wanted;
 }
 
-std::unique_ptr<rosbag::View> BagScans::messagesWith(const PriorsConfig& priors) const {
-  std::vector<std::string> topics{topic_};
+std::unique_ptr<rosbag::View> BagScans::messagesWith(const PriorsConfig& priors,
+                                                     const GnssConfig& gnss) const {
+  std::vector<std::string> topics = topics_;
   const auto add = [&](const std::string& topic, const char* type, const char* parameter) {
     requireTopic(topic, type, parameter);
     topics.push_back(topic);
@@ -131,6 +144,7 @@ std::unique_ptr<rosbag::View> BagScans::messagesWith(const PriorsConfig& priors)
     add(priors.odometry_topic, "nav_msgs/Odometry", "priors/odometry_topic");
   if (!priors.odometry_frame.empty()) add("/tf", "tf2_msgs/TFMessage", "priors/odometry_frame");
   if (!priors.imu_topic.empty()) add(priors.imu_topic, "sensor_msgs/Imu", "priors/imu_topic");
+  if (gnss.isConnected()) add(gnss.topic, "sensor_msgs/NavSatFix", "gnss/topic");
   auto messages = std::make_unique<rosbag::View>();
   for (const auto& bag : bags_) messages->addQuery(*bag, rosbag::TopicQuery(topics));
   return messages;
@@ -172,8 +186,9 @@ void BagScans::readTransforms() {
   }
 }
 
-std::string BagScans::sensorFrame() {
+std::string BagScans::sensorFrame(std::size_t sensor) {
   for (const rosbag::MessageInstance& instance : *scans_) {
+    if (instance.getTopic() != topics_[sensor]) continue;
     try {
       const RawMessage raw = rawMessageOf(instance);
       PointMessage message;

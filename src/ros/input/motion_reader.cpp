@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "revisit_slam/geometry/local_enu.h"
+#include "revisit_slam/priors/gnss_track.h"
 #include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 
@@ -13,6 +15,9 @@ namespace {
 MotionReader::Result rejected(const char* sensor, const std::string& reason) {
   return {std::nullopt, sensor, reason};
 }
+
+/// m. No robot is as large: what is farther from its base is placed in another frame.
+constexpr double kLongestLever = 100.0;
 
 bool isUsable(const geometry_msgs::Pose& pose) {
   const auto& [p, q] = std::tie(pose.position, pose.orientation);
@@ -46,6 +51,8 @@ std::optional<MotionReader::Result> MotionReader::read(const MotionMessage& mess
   if (const auto* odometry = std::get_if<nav_msgs::Odometry::ConstPtr>(&message))
     return readOdometry(**odometry);
   if (const auto* imu = std::get_if<sensor_msgs::Imu::ConstPtr>(&message)) return readImu(**imu);
+  if (const auto* position = std::get_if<sensor_msgs::NavSatFix::ConstPtr>(&message))
+    return readPosition(**position);
   return readTransforms(*std::get<tf2_msgs::TFMessage::ConstPtr>(message));
 }
 
@@ -83,6 +90,37 @@ MotionReader::Result MotionReader::readImu(const sensor_msgs::Imu& message) cons
   reading.turn_rate = T_base_imu->rotation * turn_rate;
   if (const auto covariance = toCovariance<3>(message.angular_velocity_covariance))
     reading.turn_rate_variance = covariance->trace() / 3.0;
+  return {reading, sensor, ""};
+}
+
+/// Covariances of NavSatFix are along east, north and up.
+MotionReader::Result MotionReader::readPosition(const sensor_msgs::NavSatFix& message) const {
+  const char* sensor = GnssTrack::kSensor;
+  if (message.status.status < sensor_msgs::NavSatStatus::STATUS_FIX)
+    return rejected(sensor, "no fix");
+  GnssReading reading;
+  reading.position = {message.latitude, message.longitude, message.altitude};
+  if (!isValid(reading.position)) return rejected(sensor, "not a position");
+  if (message.header.stamp.isZero()) return rejected(sensor, "no stamp");
+  reading.stamp = toStamp(message.header.stamp);
+  if (antenna_base_) {
+    reading.p_base = *antenna_base_;
+  } else {
+    const std::optional<Pose> T_base_antenna = find_extrinsics_(message.header.frame_id);
+    if (!T_base_antenna)
+      return rejected(sensor, "no transform from '" + message.header.frame_id + "'");
+    reading.p_base = T_base_antenna->translation;
+  }
+  if (reading.p_base.norm() > kLongestLever)
+    return rejected(sensor, "an antenna more than 100 m from the base frame: a wrong transform");
+  const auto covariance = toCovariance<3>(message.position_covariance);
+  const bool is_known =
+      message.position_covariance_type != sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN;
+  const double deviation = gnss_.unknown_deviation;
+  reading.covariance_enu.diagonal() << 1.0, 1.0, 4.0;
+  reading.covariance_enu *= deviation * deviation;
+  if (is_known && covariance && covariance->diagonal().minCoeff() > 0.0)
+    reading.covariance_enu = *covariance;
   return {reading, sensor, ""};
 }
 

@@ -3,6 +3,7 @@
 
 #include <ros/serialization.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -154,6 +155,13 @@ ScanReading ScanReader::readPoints(const PointMessage& message, const ReferenceS
   reading.frame_id = message.frame_id;
   reading.header_stamp = message.header_stamp;
   return reading;
+}
+
+const ScanReader& toBeTold(const std::vector<ScanReader>& readers) {
+  const auto found = std::find_if(readers.begin(), readers.end(), [](const ScanReader& reader) {
+    return !reader.remedy().empty();
+  });
+  return found != readers.end() ? *found : readers.front();
 }
 
 }  // namespace revisit_slam

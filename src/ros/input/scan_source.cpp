@@ -4,8 +4,10 @@
 #include <boost/make_shared.hpp>
 
 #include "revisit_slam/datasets/open_dataset.h"
+#include "revisit_slam/priors/gnss_track.h"
 #include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/ros/input/bag_scans.h"
+#include "revisit_slam/util/number_list.h"
 
 namespace revisit_slam {
 namespace {
@@ -15,33 +17,50 @@ MotionMessage motionOf(const rosbag::MessageInstance& instance) {
     return nav_msgs::Odometry::ConstPtr(odometry);
   if (const auto imu = instance.instantiate<sensor_msgs::Imu>())
     return sensor_msgs::Imu::ConstPtr(imu);
+  if (const auto position = instance.instantiate<sensor_msgs::NavSatFix>())
+    return sensor_msgs::NavSatFix::ConstPtr(position);
   return boost::make_shared<const tf2_msgs::TFMessage>(transformsOf(rawMessageOf(instance)));
 }
 
+/// Null: it is a scan.
+const char* sensorOf(const rosbag::MessageInstance& instance) {
+  if (instance.isType<sensor_msgs::Imu>()) return MotionPriors::kGyro;
+  if (instance.isType<sensor_msgs::NavSatFix>()) return GnssTrack::kSensor;
+  if (instance.isType<nav_msgs::Odometry>() || instance.isType<tf2_msgs::TFMessage>())
+    return MotionPriors::kOdometry;
+  return nullptr;
+}
+
 ScanMessage messageOf(const rosbag::MessageInstance& instance) {
-  const bool is_imu = instance.isType<sensor_msgs::Imu>();
-  const bool is_motion =
-      is_imu || instance.isType<nav_msgs::Odometry>() || instance.isType<tf2_msgs::TFMessage>();
+  const char* sensor = sensorOf(instance);
   try {
-    return is_motion ? ScanMessage(motionOf(instance)) : rawMessageOf(instance);
+    return sensor != nullptr ? ScanMessage(motionOf(instance)) : rawMessageOf(instance);
   } catch (const std::exception& error) {  // of this message, or of the piece that it is in
     const std::string reason = std::string("the bag is damaged: ") + error.what();
-    if (!is_motion) return UnreadableScan{reason};
-    return UnreadableMotion{is_imu ? MotionPriors::kGyro : MotionPriors::kOdometry, reason};
+    if (sensor == nullptr) return UnreadableScan{reason};
+    return UnreadableMotion{sensor, reason};
   }
+}
+
+/// One that is empty where none is named.
+std::vector<std::string> topicsOf(const std::string& text) {
+  std::vector<std::string> topics = wordsOf(text);
+  if (topics.empty()) topics.emplace_back();
+  return topics;
 }
 
 class BagSource : public ScanSource {
  public:
   BagSource(const std::vector<std::string>& paths, const std::string& topic,
-            const PriorsConfig& priors)
-      : bags_(paths, topic), messages_(bags_.messagesWith(priors)) {}
+            const PriorsConfig& priors, const GnssConfig& gnss)
+      : bags_(paths, topicsOf(topic)), messages_(bags_.messagesWith(priors, gnss)) {}
 
   std::string description() const override { return "topic " + bags_.topic(); }
   std::size_t size() override { return bags_.size(); }
   bool hasTransforms() const override { return bags_.hasTransforms(); }
 
-  std::string sensorFrame() override { return bags_.sensorFrame(); }
+  std::size_t sensors() const override { return bags_.sensors(); }
+  std::string sensorFrame(std::size_t sensor) override { return bags_.sensorFrame(sensor); }
 
   std::string notice() const override {
     const std::size_t damaged = bags_.damagedTransforms();
@@ -55,10 +74,16 @@ class BagSource : public ScanSource {
 
   void forEach(const std::function<bool(const ScanMessage&)>& consume) override {
     for (const rosbag::MessageInstance& instance : *messages_)
-      if (!consume(messageOf(instance))) break;
+      if (!consume(numbered(messageOf(instance), instance.getTopic()))) break;
   }
 
  private:
+  /// With the number of its sensor.
+  ScanMessage numbered(ScanMessage message, const std::string& topic) const {
+    if (auto* raw = std::get_if<RawMessage>(&message)) raw->sensor = bags_.sensorOf(topic);
+    return message;
+  }
+
   BagScans bags_;
   std::unique_ptr<rosbag::View> messages_;
 };
@@ -70,7 +95,7 @@ class DatasetSource : public ScanSource {
 
   std::string description() const override { return description_; }
   std::size_t size() override { return scans_->size(); }
-  std::string sensorFrame() override { return scans_->frame(); }
+  std::string sensorFrame(std::size_t) override { return scans_->frame(); }
   bool hasTransforms() const override { return false; }
   std::optional<Pose> findExtrinsics(const std::string&, const std::string&) const override {
     return std::nullopt;
@@ -97,8 +122,9 @@ class DatasetSource : public ScanSource {
 }  // namespace
 
 std::unique_ptr<ScanSource> openBags(const std::vector<std::string>& paths,
-                                     const std::string& topic, const PriorsConfig& priors) {
-  return std::make_unique<BagSource>(paths, topic, priors);
+                                     const std::string& topic, const PriorsConfig& priors,
+                                     const GnssConfig& gnss) {
+  return std::make_unique<BagSource>(paths, topic, priors, gnss);
 }
 
 std::unique_ptr<ScanSource> openDatasetSource(const std::string& name, const std::string& folder) {

@@ -78,10 +78,11 @@ std::string argumentFor(const TypedTopic& topic) {
 }
 
 std::string describeSilence(const std::vector<std::string>& listened,
-                            const std::vector<TypedTopic>& published) {
+                            const std::vector<TypedTopic>& published, bool all_take_livox) {
   for (const std::string& name : listened)
     for (const TypedTopic& topic : published)
-      if (topic.name == name) return describeSilence(topic, name != listened.front(), published);
+      if (topic.name == name)
+        return describeSilence(topic, all_take_livox || name != listened.front(), published);
   return "nobody publishes " + join(listened, " or ") + ": " + suggest(scanTopics(published));
 }
 

@@ -137,6 +137,19 @@ void addPriors(const std::map<std::string, PriorAccount>& accounts,
   }
 }
 
+void addLidars(const std::map<std::string, SensorAccount>& accounts,
+               diagnostic_msgs::DiagnosticStatus& status) {
+  for (const auto& [topic, account] : accounts) {
+    addValue(topic + " messages", std::to_string(account.messages), status);
+    addValue(topic + " points in sweeps", std::to_string(account.points), status);
+    for (const auto& [reason, count] : account.points_dropped)
+      addValue(topic + " points dropped: " + reason, std::to_string(count), status);
+    if (!account.is_silent) continue;
+    if (status.level == status.OK) status.level = status.WARN;
+    status.message += ", no scans on " + topic;
+  }
+}
+
 void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
                        diagnostic_msgs::DiagnosticStatus& status) {
   const Eigen::IOFormat on_one_line(3, Eigen::DontAlignCols, " ", " ");

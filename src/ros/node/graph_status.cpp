@@ -30,6 +30,7 @@ void GraphStatus::noteCorrection(const MapCorrection& correction) {
   const std::lock_guard<std::mutex> lock(mutex_);
   version_ = correction.version;
   moved_end_ = correction.moved_end;
+  georeference_ = correction.georeference;
 }
 
 void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& status) {
@@ -66,6 +67,12 @@ void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& s
   addValue("optimisations rejected", std::to_string(count_.rejected), status);
   addValue("map version", std::to_string(version_), status);
   addValue("last correction moved the end by (m)", std::to_string(moved_end_), status);
+  if (georeference_) {
+    addValue("positions of GNSS", std::to_string(georeference_->fixes), status);
+    addValue("positions of GNSS, outliers", std::to_string(georeference_->outliers), status);
+    addValue("yaw of the map, standard deviation (rad)",
+             std::to_string(georeference_->yaw_deviation), status);
+  }
   addValue("waiting", std::to_string(waiting), status);
   addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
   addValue("folder", folder_, status);

@@ -46,6 +46,7 @@ void InputReport::tell(const ScanSubscription& scans, std::size_t waiting,
   InputState state;
   state.now = ros::WallTime::now().toSec();
   state.topics = scans.topics();
+  state.several_sensors = scans.areOfSeveral();
   state.arrived = scans.arrived();
   state.published = published_;
   state.waiting = waiting;

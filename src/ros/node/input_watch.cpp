@@ -31,6 +31,10 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string whySilent(const InputState& state) {
+  return describeSilence(state.topics, state.published, state.several_sensors);
+}
+
 /// With another session an account begins at zero.
 bool isAnew(const ScanAccount& account, const ScanAccount& before) {
   return account.received < before.received || account.processed < before.processed ||
@@ -79,8 +83,7 @@ Verdict InputWatch::look(const InputState& state) {
                            ? "no scan yet on " + join(state.topics)
                            : number("%.1f", rate()) + " scans/s on " + join(state.topics);
   }
-  const std::string cause =
-      verdict.fault == Fault::nothing_comes ? describeSilence(state.topics, state.published) : "";
+  const std::string cause = verdict.fault == Fault::nothing_comes ? whySilent(state) : "";
   verdict.is_new =
       cause != cause_ || (verdict.fault != fault_ && !(isSmall(verdict.fault) && isSmall(fault_)));
   cause_ = cause;
@@ -118,16 +121,14 @@ std::optional<Verdict> InputWatch::judgeArrival(const InputState& state) const {
   if (!is_silent) return std::nullopt;
   if (state.arrived == 0)
     return Verdict{Level::warn, Fault::nothing_comes,
-                   "no scan in " + number("%.0f", state.now - *start_) +
-                       " s: " + describeSilence(state.topics, state.published),
+                   "no scan in " + number("%.0f", state.now - *start_) + " s: " + whySilent(state),
                    false};
   return Verdict{Level::warn, Fault::stopped, describeStop(state), false};
 }
 
 std::string InputWatch::describeStop(const InputState& state) const {
   return "no scan for " + number("%.0f", state.now - last_arrival_) +
-         " s (before: " + number("%.1f", last_rate_) +
-         " scans/s): " + describeSilence(state.topics, state.published) +
+         " s (before: " + number("%.1f", last_rate_) + " scans/s): " + whySilent(state) +
          "; at the end of the drive call back_end/finish";
 }
 
@@ -159,10 +160,12 @@ std::optional<Verdict> InputWatch::judgeDrops(const InputState& state) const {
 }
 
 std::string InputWatch::describeOverload(const InputState& state, std::size_t dropped) const {
-  const bool too_slow = state.scan_seconds * last_rate_ > 1.0;
+  const double merged = state.several_sensors ? static_cast<double>(state.topics.size()) : 1.0;
+  const double sweeps = last_rate_ / merged;  // Hz
+  const bool too_slow = state.scan_seconds * sweeps > 1.0;
   return "the odometry does not keep up, " + std::to_string(dropped) +
          " scans were dropped of late: scans come every " +
-         number("%.0f", last_rate_ > 0.0 ? 1e3 / last_rate_ : 0.0) + " ms and take " +
+         number("%.0f", sweeps > 0.0 ? 1e3 / sweeps : 0.0) + " ms and take " +
          number("%.0f", 1e3 * state.scan_seconds) + " ms each" +
          (too_slow ? ": give it more threads (odometry/threads), or scans with fewer points "
                      "(odometry/map/voxel_size higher, odometry/max_range lower)"

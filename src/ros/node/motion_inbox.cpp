@@ -12,11 +12,12 @@ constexpr std::size_t kMost = 30'000;
 }  // namespace
 
 void MotionInbox::subscribe(ros::NodeHandle& node, const PriorsConfig& config,
-                            std::function<void()> on_message) {
+                            const GnssConfig& gnss, std::function<void()> on_message) {
   on_message_ = std::move(on_message);
   if (!config.odometry_topic.empty()) subscribeTo<nav_msgs::Odometry>(config.odometry_topic, node);
   if (!config.odometry_frame.empty()) subscribeTo<tf2_msgs::TFMessage>("/tf", node);
   if (!config.imu_topic.empty()) subscribeTo<sensor_msgs::Imu>(config.imu_topic, node);
+  if (gnss.isConnected()) subscribeTo<sensor_msgs::NavSatFix>(gnss.topic, node);
 }
 
 void MotionInbox::unsubscribe() {

@@ -21,7 +21,7 @@ std::optional<Pose> findExtrinsics(const std::string& frame) {
 }
 
 MotionReader::Result read(const MotionMessage& message, const PriorsConfig& config = {}) {
-  MotionReader reader(config, findExtrinsics);
+  MotionReader reader(config, {}, findExtrinsics);
   return reader.read(message).value();
 }
 
@@ -100,7 +100,7 @@ TEST(MotionReader, WhatCannotBeUsedIsRejectedWithTheReason) {
 TEST(MotionReader, TfOfTheFrameIsAnOdometryAndOtherTfIsNone) {
   PriorsConfig config;
   config.odometry_frame = "wheel_odom";
-  MotionReader reader(config, findExtrinsics);
+  MotionReader reader(config, {}, findExtrinsics);
   const auto message = boost::make_shared<tf2_msgs::TFMessage>();
   message->transforms.resize(2);
   message->transforms[0].header.frame_id = "base_link";
@@ -115,6 +115,71 @@ TEST(MotionReader, TfOfTheFrameIsAnOdometryAndOtherTfIsNone) {
   const auto reading = std::get<OdometryReading>(result.value().reading.value());
   EXPECT_EQ(reading.stamp, Stamp::fromSeconds(100.5));
   EXPECT_NEAR(reading.T_world_base.translation.y(), 2.0, 1e-12);
+}
+
+boost::shared_ptr<sensor_msgs::NavSatFix> position(const std::string& frame) {
+  auto message = boost::make_shared<sensor_msgs::NavSatFix>();
+  message->header.stamp = ros::Time(100.5);
+  message->header.frame_id = frame;
+  message->latitude = 48.1;
+  message->longitude = 11.6;
+  message->altitude = 520.0;
+  message->position_covariance = {4.0, 0.5, 0.0, 0.5, 3.0, 0.0, 0.0, 0.0, 9.0};
+  message->position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN;
+  return message;
+}
+
+MotionReader::Result readFix(const sensor_msgs::NavSatFix::ConstPtr& message,
+                             const GnssConfig& gnss = {}) {
+  return MotionReader({}, gnss, findExtrinsics).read(message).value();
+}
+
+TEST(MotionReader, APositionIsThatOfTheAntennaAsTfPlacesIt) {
+  const auto reading = std::get<GnssReading>(readFix(position("mounted")).reading.value());
+  EXPECT_EQ(reading.stamp, Stamp::fromSeconds(100.5));
+  EXPECT_EQ(reading.position.latitude, 48.1);
+  EXPECT_EQ(reading.p_base, kMounting.translation);
+  EXPECT_EQ(reading.covariance_enu(0, 0), 4.0);
+  EXPECT_EQ(reading.covariance_enu(0, 1), 0.5);
+}
+
+TEST(MotionReader, AGivenAntennaNeedsNoTf) {
+  GnssConfig gnss;
+  gnss.antenna = "1 -2 0.5";
+  const auto reading = std::get<GnssReading>(readFix(position("unknown"), gnss).reading.value());
+  EXPECT_EQ(reading.p_base, Eigen::Vector3d(1.0, -2.0, 0.5));
+  gnss.antenna = "1 -2";
+  EXPECT_THROW(readFix(position("unknown"), gnss), ParameterError);
+}
+
+TEST(MotionReader, APositionWithoutCovarianceHasTheDeviationOfTheParameter) {
+  for (const bool of_unknown_type : {true, false}) {
+    const auto message = position("mounted");
+    if (of_unknown_type)
+      message->position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN;
+    else
+      message->position_covariance.assign(0.0);
+    const auto reading = std::get<GnssReading>(readFix(message).reading.value());
+    EXPECT_EQ(reading.covariance_enu(0, 0), 25.0);
+    EXPECT_EQ(reading.covariance_enu(2, 2), 100.0);
+  }
+}
+
+TEST(MotionReader, PositionsThatAreNoneAreNamed) {
+  EXPECT_EQ(readFix(position("unknown")).rejection, "no transform from 'unknown'");
+  const auto without = position("mounted");
+  without->status.status = sensor_msgs::NavSatStatus::STATUS_NO_FIX;
+  EXPECT_EQ(readFix(without).rejection, "no fix");
+  const auto nowhere = position("mounted");
+  nowhere->latitude = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(readFix(nowhere).rejection, "not a position");
+  GnssConfig far;
+  far.antenna = "4000 5000 0";
+  EXPECT_EQ(readFix(position("mounted"), far).rejection,
+            "an antenna more than 100 m from the base frame: a wrong transform");
+  const auto without_stamp = position("mounted");
+  without_stamp->header.stamp = ros::Time();
+  EXPECT_EQ(readFix(without_stamp).rejection, "no stamp");
 }
 
 }  // namespace

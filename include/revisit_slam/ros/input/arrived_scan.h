@@ -15,13 +15,14 @@ namespace revisit_slam {
 /// A message with a scan, as it came.
 struct ArrivedScan {
   using Cloud = sensor_msgs::PointCloud2::ConstPtr;
-  using Livox = topic_tools::ShapeShifter::ConstPtr;
+  using Bytes = topic_tools::ShapeShifter::ConstPtr;  ///< of a type that is found out
 
-  std::variant<Cloud, Livox> message;
+  std::variant<Cloud, Bytes> message;
   Stamp arrival;
+  std::size_t sensor = 0;  ///< number of its topic among input/topics
 
   /// Empty where it has no header.
-  std::string frameId() const;
+  std::string frame() const;
   ScanReading readBy(ScanReader& reader) const;
 };
 

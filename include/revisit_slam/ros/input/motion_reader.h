@@ -3,6 +3,7 @@
 
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/Imu.h>
+#include <sensor_msgs/NavSatFix.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <functional>
@@ -10,26 +11,32 @@
 #include <string>
 #include <variant>
 
+#include "revisit_slam/priors/gnss_config.h"
 #include "revisit_slam/priors/motion_reading.h"
 #include "revisit_slam/priors/priors_config.h"
 
 namespace revisit_slam {
 
+/// Of the sensors beside the LiDAR.
 using MotionMessage = std::variant<nav_msgs::Odometry::ConstPtr, sensor_msgs::Imu::ConstPtr,
-                                   tf2_msgs::TFMessage::ConstPtr>;
+                                   tf2_msgs::TFMessage::ConstPtr, sensor_msgs::NavSatFix::ConstPtr>;
 
-/// Makes readings of messages that measure motion. None of them makes it throw.
+/// Makes readings of messages that measure motion or position. None of them makes it throw.
 class MotionReader {
  public:
   /// T_base_sensor of a frame; nothing where TF does not know it.
   using FindExtrinsics = std::function<std::optional<Pose>(const std::string& frame)>;
 
-  MotionReader(const PriorsConfig& config, FindExtrinsics find_extrinsics)
-      : odometry_frame_(config.odometry_frame), find_extrinsics_(std::move(find_extrinsics)) {}
+  /// @throws ParameterError for an antenna that is none.
+  MotionReader(const PriorsConfig& config, const GnssConfig& gnss, FindExtrinsics find_extrinsics)
+      : odometry_frame_(config.odometry_frame),
+        gnss_(gnss),
+        antenna_base_(gnss.antennaInBase()),
+        find_extrinsics_(std::move(find_extrinsics)) {}
 
   struct Result {
     std::optional<MotionReading> reading;
-    const char* sensor = nullptr;  ///< MotionPriors' name of it
+    const char* sensor = nullptr;  ///< its name in MotionPriors or GnssTrack
     std::string rejection;         ///< why there is no reading
   };
 
@@ -39,9 +46,12 @@ class MotionReader {
  private:
   Result readOdometry(const nav_msgs::Odometry& message) const;
   Result readImu(const sensor_msgs::Imu& message) const;
+  Result readPosition(const sensor_msgs::NavSatFix& message) const;
   std::optional<Result> readTransforms(const tf2_msgs::TFMessage& message);
 
   const std::string odometry_frame_;
+  const GnssConfig gnss_;
+  const std::optional<Eigen::Vector3d> antenna_base_;  // none: by TF
   const FindExtrinsics find_extrinsics_;
   std::string child_frame_;  // the first that TF moves in odometry_frame_
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct RawMessage {
   std::string datatype, md5sum, definition;
   std::vector<std::uint8_t> bytes;
   Stamp arrival;
+  std::size_t sensor = 0;  ///< number of its topic among input/topics
 };
 
 /// What every message with points has. The view is into the bytes that were parsed.

@@ -57,4 +57,8 @@ class ScanReader {
   RawMessage raw_;
 };
 
+/// Of the readers of several sensors the first whose scans a user has to do something about, else
+/// the first.
+const ScanReader& toBeTold(const std::vector<ScanReader>& readers);
+
 }  // namespace revisit_slam

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "revisit_slam/input/point_cloud.h"
+#include "revisit_slam/priors/gnss_config.h"
 #include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/ros/input/motion_reader.h"
 #include "revisit_slam/ros/input/point_message.h"
@@ -22,7 +23,7 @@ struct UnreadableScan {
 };
 /// Likewise of a message that measures motion.
 struct UnreadableMotion {
-  const char* sensor;  ///< MotionPriors' name of it
+  const char* sensor;  ///< its name in MotionPriors or GnssTrack
   std::string reason;
 };
 /// A recorded scan, a message of a bag or the cloud of a dataset, or a message that measures
@@ -38,8 +39,10 @@ class ScanSource {
   virtual std::string description() const = 0;
   /// Of the scans.
   virtual std::size_t size() = 0;
-  /// The frame_id of the scans.
-  virtual std::string sensorFrame() = 0;
+  /// How many sensors the scans are of.
+  virtual std::size_t sensors() const { return 1; }
+  /// The frame_id of the scans of one.
+  virtual std::string sensorFrame(std::size_t sensor = 0) = 0;
   /// Whether it knows where sensors are on the robot.
   virtual bool hasTransforms() const = 0;
   virtual std::optional<Pose> findExtrinsics(const std::string& base_frame,
@@ -50,9 +53,11 @@ class ScanSource {
   virtual void forEach(const std::function<bool(const ScanMessage&)>& consume) = 0;
 };
 
-/// An empty topic stands for the only topic with scans. @throws BagError
+/// An empty topic stands for the only topic with scans; several are between spaces.
+/// @throws BagError
 std::unique_ptr<ScanSource> openBags(const std::vector<std::string>& paths,
-                                     const std::string& topic, const PriorsConfig& priors = {});
+                                     const std::string& topic, const PriorsConfig& priors = {},
+                                     const GnssConfig& gnss = {});
 
 /// @throws DatasetError naming what is missing.
 std::unique_ptr<ScanSource> openDatasetSource(const std::string& name, const std::string& folder);

@@ -24,8 +24,9 @@ std::string namesOf(const std::vector<TypedTopic>& topics);
 std::string argumentFor(const TypedTopic& topic);
 
 /// Why nothing may come on a topic that is listened to, and what to do: nobody publishes it, its
-/// messages are no scans, or its publisher is silent.
+/// messages are no scans, or its publisher is silent. `all_take_livox`: also the first of them
+/// takes the messages of a Livox driver.
 std::string describeSilence(const std::vector<std::string>& listened,
-                            const std::vector<TypedTopic>& published);
+                            const std::vector<TypedTopic>& published, bool all_take_livox = false);
 
 }  // namespace revisit_slam

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/input/sweep_merger.h"
 #include "revisit_slam/priors/prior_account.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/scan_account.h"
@@ -47,6 +48,9 @@ sensor_msgs::PointCloud2 toPointCloud(const Points& points, Stamp stamp, const s
 void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& status);
 /// Likewise of each sensor that measures motion.
 void addPriors(const std::map<std::string, PriorAccount>& accounts,
+               diagnostic_msgs::DiagnosticStatus& status);
+/// Of several LiDARs, by topic; a silent one is a warning.
+void addLidars(const std::map<std::string, SensorAccount>& accounts,
                diagnostic_msgs::DiagnosticStatus& status);
 /// Each weak direction, [translation; rotation], with its eigenvalue.
 void addWeakDirections(const std::vector<WeakDirection>& weak_directions,

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "revisit_slam/slam/graph_session.h"
@@ -30,6 +31,7 @@ class GraphStatus {
   int told_rejections_ = 0, missed_scans_ = 0, told_misses_ = 0;
   std::uint32_t version_ = 0;
   double moved_end_ = 0.0;  // m
+  std::optional<Georeference> georeference_;
   std::string folder_, problem_;
 };
 

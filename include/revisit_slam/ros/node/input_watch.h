@@ -18,6 +18,7 @@ namespace revisit_slam {
 struct InputState {
   double now = 0.0;                 ///< s, of a clock that does not stand still
   std::vector<std::string> topics;  ///< that it listens to
+  bool several_sensors = false;     ///< whose scans are merged, one topic each
   /// By anybody; has to be known only where InputWatch::isSilent().
   std::vector<TypedTopic> published;
   std::size_t arrived = 0;  ///< messages with scans, ever

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/priors/gnss_config.h"
+
+#include <cmath>
+
+#include "revisit_slam/util/number_list.h"
+
+namespace revisit_slam {
+
+std::optional<Eigen::Vector3d> GnssConfig::antennaInBase() const {
+  const std::vector<double> numbers =
+      numbersOf(antenna, 3, "gnss/antenna", "three numbers x y z (m), or empty");
+  if (numbers.empty()) return std::nullopt;
+  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
+
+std::optional<GeodeticPosition> GnssConfig::givenDatum() const {
+  const std::string form = "latitude (-90 to 90) longitude (-360 to 360) altitude (m), or empty";
+  const std::vector<double> numbers = numbersOf(datum, 3, "gnss/datum", form);
+  if (numbers.empty()) return std::nullopt;
+  if (std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0)
+    throw ParameterError("parameter 'gnss/datum' is '" + datum + "', not " + form);
+  return GeodeticPosition{numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace revisit_slam

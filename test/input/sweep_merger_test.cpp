@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/input/sweep_merger.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kStart = 1000.001;  // s; windows begin at tenths, no point does
+
+ScanInputConfig threeSensors() {
+  ScanInputConfig config;
+  config.topics = "/roof /front  /rear";
+  return config;
+}
+
+/// A message of `seconds`, that began then; a point each 5 ms, whose x says when it was seen and
+/// whose y by whom.
+ScanReading messageOf(std::size_t sensor, double begin, double seconds = 0.1) {
+  ScanReading reading;
+  reading.sensor = sensor;
+  reading.frame_id = "frame_" + std::to_string(sensor);
+  Scan& scan = reading.scan.emplace();
+  const int count = static_cast<int>(std::lround(seconds / 0.005));
+  const double last = 0.005 * (count - 1);
+  scan.stamp = Stamp::fromSeconds(kStart + begin + last);
+  scan.T_base_sensor.translation.x() = static_cast<double>(sensor);
+  for (int i = 0; i < count; ++i) {
+    scan.points.emplace_back(static_cast<float>(begin + 0.005 * i), static_cast<float>(sensor),
+                             1.0f);
+    scan.times.push_back(static_cast<float>(0.005 * i - last));
+  }
+  return reading;
+}
+
+using Sweeps = std::vector<ScanReading>;
+
+void append(Sweeps more, Sweeps& sweeps) {
+  for (ScanReading& sweep : more) sweeps.push_back(std::move(sweep));
+}
+
+/// In the order in which messages end; the roof at 10 Hz, the front at 20 Hz, the rear at 5 Hz.
+Sweeps play(SweepMerger& merger, double seconds, double lost_from = 1e9, double lost_until = 1e9) {
+  Sweeps sweeps;
+  for (int i = 0; i < static_cast<int>(seconds / 0.05); ++i) {
+    const double now = 0.05 * i;
+    append(merger.take(messageOf(1, now, 0.05)), sweeps);
+    if (i % 2 == 1) append(merger.take(messageOf(0, now - 0.05)), sweeps);
+    const bool is_lost = lost_from <= now && now < lost_until;
+    if (i % 4 == 3 && !is_lost) append(merger.take(messageOf(2, now - 0.15, 0.2)), sweeps);
+  }
+  return sweeps;
+}
+
+std::size_t pointsOf(const Sweeps& sweeps, std::size_t sensor) {
+  std::size_t count = 0;
+  for (const ScanReading& sweep : sweeps)
+    for (const Eigen::Vector3f& point : sweep.scan->points)
+      count += point.y() == static_cast<float>(sensor);
+  return count;
+}
+
+TEST(SweepMerger, EachSweepHoldsWhatAllSawInItsTime) {
+  SweepMerger merger(threeSensors());
+  const Sweeps sweeps = play(merger, 2.0);
+  ASSERT_GE(sweeps.size(), 18u);
+  for (const ScanReading& sweep : sweeps) {
+    const Scan& scan = *sweep.scan;
+    ASSERT_EQ(scan.views.size(), 3u);
+    ASSERT_EQ(scan.times.size(), scan.points.size());
+    EXPECT_EQ(scan.points.size(), 60u);
+    const double begin = std::floor(10.0 * scan.stamp.toSeconds()) / 10.0 - kStart;
+    std::size_t i = 0;
+    for (std::size_t view = 0; view < 3; ++view) {
+      EXPECT_EQ(scan.views[view].T_base_sensor.translation.x(), static_cast<double>(view));
+      for (; i < scan.views[view].end; ++i) {
+        EXPECT_EQ(scan.points[i].y(), static_cast<float>(view));
+        const double seen = scan.points[i].x();
+        EXPECT_NEAR(scan.stamp.toSeconds() + static_cast<double>(scan.times[i]) - kStart, seen,
+                    1e-4);
+        EXPECT_GT(seen, begin - 1e-3);
+        EXPECT_LT(seen, begin + 0.1 + 1e-3);
+      }
+    }
+    EXPECT_EQ(i, scan.points.size());
+    for (const float time : scan.times) EXPECT_LE(time, 0.0f);
+  }
+}
+
+/// Whoever comes first.
+TEST(SweepMerger, TheOrderInWhichTopicsArriveChangesNothing) {
+  SweepMerger one(threeSensors()), other(threeSensors());
+  Sweeps a, b;
+  for (int i = 0; i < 10; ++i)
+    for (std::size_t sensor = 0; sensor < 3; ++sensor)
+      append(one.take(messageOf(sensor, 0.1 * i)), a);
+  for (int i = 0; i < 10; ++i)
+    for (const std::size_t sensor : {2u, 0u, 1u}) append(other.take(messageOf(sensor, 0.1 * i)), b);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].scan->stamp, b[i].scan->stamp);
+    EXPECT_EQ(a[i].scan->points, b[i].scan->points);
+    EXPECT_EQ(a[i].scan->times, b[i].scan->times);
+  }
+}
+
+TEST(SweepMerger, ASensorThatIsLostCostsNoneOfTheOthersAndComesBack) {
+  SweepMerger merger(threeSensors());
+  const Sweeps sweeps = play(merger, 10.0, 3.0, 7.0);
+  EXPECT_GE(sweeps.size(), 97u);
+  EXPECT_GE(pointsOf(sweeps, 0), 97u * 20u);
+  EXPECT_GE(pointsOf(sweeps, 1), 97u * 20u);
+  const auto rear = static_cast<double>(pointsOf(sweeps, 2));
+  EXPECT_NEAR(rear, 0.6 * 98.0 * 20.0, 60.0);
+  EXPECT_FALSE(merger.accounts().at("/rear").is_silent);
+  SweepMerger lost(threeSensors());
+  play(lost, 5.0, 3.0);
+  EXPECT_TRUE(lost.accounts().at("/rear").is_silent);
+}
+
+TEST(SweepMerger, ASensorThatNeverComesIsNotWaitedForLong) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps;
+  for (int i = 0; i < 10; ++i) append(merger.take(messageOf(0, 0.1 * i)), sweeps);
+  EXPECT_EQ(sweeps.size(), 9u);  // all but the one that is open
+  EXPECT_EQ(merger.flush().size(), 1u);
+  EXPECT_TRUE(merger.accounts().at("/front").is_silent);
+}
+
+TEST(SweepMerger, RangesAndClocksAreThoseOfEachSensor) {
+  ScanInputConfig config = threeSensors();
+  config.topics = "/a /b";
+  config.ranges = "0 100 2 100";
+  config.time_offsets = "0 -0.5";
+  SweepMerger merger(config);
+  Sweeps sweeps;
+  for (int i = 0; i < 10; ++i) {
+    ScanReading other = messageOf(1, 0.1 * i);
+    other.scan->stamp = other.scan->stamp.plusSeconds(0.5);
+    append(merger.take(messageOf(0, 0.1 * i)), sweeps);
+    append(merger.take(other), sweeps);
+  }
+  ASSERT_GE(sweeps.size(), 8u);
+  EXPECT_EQ(pointsOf(sweeps, 1), 0u);  // within 2 m
+  EXPECT_EQ(merger.accounts().at("/b").points_dropped.at("too near"), 200u);
+  for (const ScanReading& sweep : sweeps) EXPECT_EQ(sweep.scan->views.size(), 1u);
+}
+
+TEST(SweepMerger, AWrongStampAheadCostsItsMessageAlone) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps = play(merger, 2.0);
+  append(merger.take(messageOf(0, 3600.0)), sweeps);
+  for (int i = 20; i < 40; ++i)
+    for (std::size_t sensor = 0; sensor < 3; ++sensor)
+      append(merger.take(messageOf(sensor, 0.1 * i)), sweeps);
+  EXPECT_GE(sweeps.size(), 37u);
+  EXPECT_EQ(merger.accounts().at("/roof").points_dropped.at("stamp ahead of the next one"), 20u);
+}
+
+TEST(SweepMerger, AClockThatWasSetBackGoesOn) {
+  SweepMerger merger(threeSensors());
+  const std::size_t before = play(merger, 20.0).size();
+  const Sweeps after = play(merger, 2.0);
+  EXPECT_GE(before, 195u);
+  EXPECT_GE(after.size(), 18u);
+  EXPECT_LT(after.back().scan->stamp.toSeconds(), kStart + 2.0);
+}
+
+TEST(SweepMerger, ListsOfAnotherNumberOfSensorsAreRefused) {
+  ScanInputConfig config = threeSensors();
+  config.ranges = "0 100 2 100";
+  EXPECT_THROW(SweepMerger{config}, ParameterError);
+  config.ranges.clear();
+  config.time_offsets = "0 x 1";
+  EXPECT_THROW(SweepMerger{config}, ParameterError);
+}
+
+TEST(SweepMerger, OneSensorIsNotMerged) {
+  EXPECT_FALSE(SweepMerger(ScanInputConfig()).merges());
+  EXPECT_TRUE(SweepMerger(ScanInputConfig()).accounts().empty());
+}
+
+}  // namespace
+}  // namespace revisit_slam
