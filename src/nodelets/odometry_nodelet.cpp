@@ -11,7 +11,7 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/input_report.h"
 #include "revisit_slam/ros/node/live_parameters.h"
-#include "revisit_slam/ros/node/motion_inbox.h"
+#include "revisit_slam/ros/node/motion_subscription.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
 #include "revisit_slam/ros/node/scan_subscription.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
@@ -30,7 +30,7 @@ class OdometryNodelet : public SlamNodelet {
   ~OdometryNodelet() override {
     stopDiagnostics();
     if (scans_) scans_->unsubscribe();
-    motion_inbox_.unsubscribe();
+    if (motions_) motions_->unsubscribe();
     reset_service_.shutdown();
     live_parameters_.reset();
     if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
@@ -46,7 +46,7 @@ class OdometryNodelet : public SlamNodelet {
     ros::NodeHandle& private_node = getPrivateNodeHandle();
     const SessionId now{static_cast<std::uint32_t>(ros::WallTime::now().sec)};
     scans_ = std::make_unique<ScanSubscription>(config_.input);
-    motion_reader_ = std::make_unique<MotionReader>(
+    motions_ = std::make_unique<MotionSubscription>(
         config_.priors, config_.gnss, [this](const std::string& frame) { return place(frame); });
     stage_ = std::make_unique<OdometryStage>(config_, now);
     placement_ =
@@ -63,7 +63,7 @@ class OdometryNodelet : public SlamNodelet {
         config_.live.queue_size,
         [this](const Message& message) { guarded([&] { handle(message); }); },
         [this] { onQueueFull(); });
-    motion_inbox_.subscribe(node, config_.priors, config_.gnss, [this] {
+    motions_->subscribe(node, [this] {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });
     scans_->subscribe(
@@ -83,16 +83,12 @@ class OdometryNodelet : public SlamNodelet {
   void take(Motion) {}
 
   void takeMotion() {
-    for (const MotionMessage& message : motion_inbox_.takeAll()) {
-      const std::optional<MotionReader::Result> read = motion_reader_->read(message);
-      if (!read) continue;
-      if (read->reading) {
-        finish([&] { return stage_->takeMotion(*read->reading); });
-      } else {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        stage_->countDroppedMotion(read->sensor, read->rejection);
-      }
-    }
+    for (const MotionReader::Result& read : motions_->readAll())
+      finish([&] {
+        if (read.reading) return stage_->takeMotion(*read.reading);
+        stage_->countDroppedMotion(read.sensor, read.rejection);
+        return std::vector<OdometryStage::Result>();
+      });
   }
 
   std::optional<Pose> place(const std::string& frame) {
@@ -230,7 +226,7 @@ class OdometryNodelet : public SlamNodelet {
 
   // Of the queue's thread.
   std::unique_ptr<ScanSubscription> scans_;
-  std::unique_ptr<MotionReader> motion_reader_;
+  std::unique_ptr<MotionSubscription> motions_;
   std::unique_ptr<SensorPlacement> placement_;
   std::unique_ptr<OdometryTopics> topics_;
 
@@ -246,7 +242,6 @@ class OdometryNodelet : public SlamNodelet {
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
-  MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };

@@ -7,6 +7,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "revisit_slam/priors/gnss_config.h"
@@ -15,25 +16,32 @@
 
 namespace revisit_slam {
 
-/// Messages that measure motion and position, in the order of their arrival, until the thread of
-/// the odometry takes them. They are many and small, and never displace a scan.
-class MotionInbox {
+/// Messages that measure motion and position, and what reads them. They are many and small, and
+/// never displace a scan: they are kept in the order of their arrival until the thread of the
+/// odometry reads them.
+class MotionSubscription {
  public:
-  ~MotionInbox() { unsubscribe(); }
+  MotionSubscription(const PriorsConfig& priors, const GnssConfig& gnss,
+                     MotionReader::FindExtrinsics find_extrinsics)
+      : priors_(priors), gnss_(gnss), reader_(priors, gnss, std::move(find_extrinsics)) {}
+  ~MotionSubscription() { unsubscribe(); }
 
   /// To what the configuration names. `on_message` is called in threads of the node.
-  void subscribe(ros::NodeHandle& node, const PriorsConfig& config, const GnssConfig& gnss,
-                 std::function<void()> on_message);
+  void subscribe(ros::NodeHandle& node, std::function<void()> on_message);
   void unsubscribe();
 
   /// All that came since.
-  std::deque<MotionMessage> takeAll();
+  std::vector<MotionReader::Result> readAll();
 
  private:
   template <typename Message>
   void subscribeTo(const std::string& topic, ros::NodeHandle& node);
   void put(MotionMessage message);
+  std::deque<MotionMessage> takeAll();
 
+  const PriorsConfig priors_;
+  const GnssConfig gnss_;
+  MotionReader reader_;
   std::function<void()> on_message_;
   std::mutex mutex_;  // guards the next one
   std::deque<MotionMessage> messages_;
