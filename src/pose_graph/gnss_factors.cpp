@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/pose_graph/gnss_factors.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -38,20 +37,6 @@ std::size_t GnssFactors::countOf(std::size_t nodes) const {
   const auto end = std::partition_point(fixes_.begin(), fixes_.end(),
                                         [&](const Tied& tied) { return tied.node < nodes; });
   return static_cast<std::size_t>(end - fixes_.begin());
-}
-
-/// Errors of translation and of rotation grow in the proportion of the information's own.
-Matrix6 GnssFactors::loosened(const Matrix6& information, double metres) const {
-  const auto shareOf = [](const Eigen::Matrix3d& block, double drift) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(block, Eigen::EigenvaluesOnly);
-    return 1.0 / (1.0 + std::max(0.0, eigen.eigenvalues()[2]) * drift * drift);
-  };
-  Tangent scale;
-  scale.head<3>().setConstant(
-      std::sqrt(shareOf(information.topLeftCorner<3, 3>(), config_.drift * metres)));
-  scale.tail<3>().setConstant(
-      std::sqrt(shareOf(information.bottomRightCorner<3, 3>(), config_.turn_drift * metres)));
-  return scale.asDiagonal() * information * scale.asDiagonal();
 }
 
 RelativePositionFactor GnssFactors::factorOf(const Tied& tied, NodeId enu) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "revisit_slam/pose_graph/odometry_drift.h"
 #include "revisit_slam/pose_graph/solver.h"
 
 namespace revisit_slam {
@@ -16,7 +17,9 @@ void SlamGraph::reconfigure(const BackEndConfig& config) {
 void SlamGraph::add(const GraphNode& node) {
   if (!nodes_.empty() && nodes_.back().id.session != node.id.session) beginSession();
   scans_.append(node.id);
-  gnss_.add(nodes_.size(), node.fixes, scans_.begin(node.id.session));
+  const std::size_t first = scans_.begin(node.id.session);
+  gnss_.add(nodes_.size(), node.fixes, first);
+  if (node.gravity) gravity_.add(nodes_.size(), *node.gravity, first);
   nodes_.push_back(node);
 }
 
@@ -64,16 +67,18 @@ RelativePoseFactor SlamGraph::factorOf(const Constraint& constraint) const {
 RelativePoseFactor SlamGraph::odometryEdge(std::size_t to) const {
   const Pose T_from_to = nodes_[to - 1].T_odom_base.inverse() * nodes_[to].T_odom_base;
   const Matrix6& information = nodes_[to].information;
-  return factorOf({nodes_[to - 1].id, nodes_[to].id, T_from_to,
-                   gnss_.isConnected() ? gnss_.loosened(information, T_from_to.translation.norm())
-                                       : information});
+  const bool is_held = gnss_.isConnected() || gravity_.any();
+  return factorOf(
+      {nodes_[to - 1].id, nodes_[to].id, T_from_to,
+       is_held ? withDrift(information, T_from_to.translation.norm(), config_) : information});
 }
 
 SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   LoopGraph result;
   PoseGraph& graph = result.graph;
+  result.scans = nodes;
   const std::vector<std::size_t> active = activeLoops();
-  const bool is_corrected = !active.empty() || gnss_.georeference();
+  const bool is_corrected = !active.empty() || gnss_.georeference() || gravity_.any();
   for (std::size_t i = 0; i < nodes; ++i) {
     // Without loops nothing is left of what others that are now disabled have done.
     graph.addNode(is_corrected ? pose(nodes_[i].id) : nodes_[i].T_odom_base);
@@ -83,9 +88,13 @@ SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   for (const std::size_t i : active)
     result.loops.push_back({i, graph.addFactor(factorOf(loops_[i].loop.constraint), kernel)});
   const SessionGroups groups(loops_);
-  result.gnss = gnss_.addTo(graph, [&](NodeId scan) {
+  const auto is_in_map = [&](NodeId scan) {
     return groups.areTied(nodes_.front().id.session, nodes_[scan.value].id.session);
-  });
+  };
+  result.gnss = gnss_.addTo(graph, is_in_map);
+  std::optional<NodeId> level;
+  if (result.gnss) level = result.gnss->enu;
+  gravity_.addTo(graph, level, is_in_map);
   return result;
 }
 
@@ -238,10 +247,9 @@ void SlamGraph::take(PoseGraphSolution& solution, const LoopGraph& solved) {
     loops_[loop].chi2_after = solution.factors[factor.value].chi2_after;
     loops_[loop].weight = solution.factors[factor.value].weight;
   }
-  if (solved.gnss) {
-    gnss_.take(solution, *solved.gnss, config_.min_inlier_weight);
-    solution.poses.pop_back();
-  }
+  if (solved.gnss) gnss_.take(solution, *solved.gnss, config_.min_inlier_weight);
+  gravity_.take(solved.scans);
+  solution.poses.resize(solved.scans);  // those of frames are behind
   const GraphNode& end = nodes_[solution.poses.size() - 1];
   if (end.id.session == nodes_.back().id.session)
     T_map_odom_ = solution.poses.back() * end.T_odom_base.inverse();

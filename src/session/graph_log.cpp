@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/session/graph_log.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -24,7 +25,8 @@ enum Type : std::uint32_t {
   kParameters = 5,
   kTakenOver = 6,
   kFixes = 7,
-  kGeoreferenced = 8
+  kGeoreferenced = 8,
+  kDirections = 9
 };
 
 template <typename Element>
@@ -291,11 +293,41 @@ MapGeoreferenced getGeoreferenced(ByteReader& bytes) {
   return entry;
 }
 
+Type put(const DirectionsAdded& added, ByteWriter& bytes) {
+  for (const auto& [carrier, direction] : added.directions) {
+    bytes.put(carrier);
+    bytes.put(direction.scan);
+    for (int axis = 0; axis < 3; ++axis) bytes.put(direction.up_base[axis]);
+  }
+  return kDirections;
+}
+
+DirectionsAdded getDirections(ByteReader& bytes) {
+  DirectionsAdded added;
+  while (bytes.left() > 0) {
+    auto& [carrier, direction] = added.directions.emplace_back();
+    carrier = bytes.id<ScanId>();
+    direction.scan = bytes.id<ScanId>();
+    for (int axis = 0; axis < 3; ++axis) direction.up_base[axis] = bytes.get<double>();
+    if (!(std::abs(direction.up_base.norm() - 1.0) < 1e-6) || carrier < direction.scan ||
+        carrier.session != direction.scan.session)
+      throw std::runtime_error("a record has a direction that is none");
+  }
+  return added;
+}
+
 /// Those of the scans.
 FixesAdded fixesOf(const ScansAdded& scans) {
   FixesAdded added;
   for (const GraphNode& node : scans.nodes)
     for (const GnssFix& fix : node.fixes) added.fixes.emplace_back(node.id, fix);
+  return added;
+}
+
+DirectionsAdded directionsOf(const ScansAdded& scans) {
+  DirectionsAdded added;
+  for (const GraphNode& node : scans.nodes)
+    if (node.gravity) added.directions.emplace_back(node.id, *node.gravity);
   return added;
 }
 
@@ -318,6 +350,8 @@ std::optional<LogEntry> decode(const Record& record) {
       return getFixes(bytes);
     case kGeoreferenced:
       return getGeoreferenced(bytes);
+    case kDirections:
+      return getDirections(bytes);
     default:
       return std::nullopt;  // of a later version, which says that older ones can do without
   }
@@ -345,7 +379,8 @@ void decide(const GraphOptimised::Decision& decision, LoopEdge& edge) {
 
 bool belongsToDrive(const LogEntry& entry) {
   return std::holds_alternative<SubmapClosed>(entry) || std::holds_alternative<ScansAdded>(entry) ||
-         std::holds_alternative<FixesAdded>(entry);
+         std::holds_alternative<FixesAdded>(entry) ||
+         std::holds_alternative<DirectionsAdded>(entry);
 }
 
 std::string graphLogHeader() {
@@ -355,9 +390,12 @@ std::string graphLogHeader() {
 std::string encodeEntry(const LogEntry& entry) {
   if (const auto* scans = std::get_if<ScansAdded>(&entry)) {
     const FixesAdded fixes = fixesOf(*scans);
+    const DirectionsAdded directions = directionsOf(*scans);
     ByteWriter bytes;
     const Type type = put(*scans, bytes);
-    return (fixes.fixes.empty() ? "" : encodeEntry(fixes)) + encodeRecord({type, bytes.bytes()});
+    return (fixes.fixes.empty() ? "" : encodeEntry(fixes)) +
+           (directions.directions.empty() ? "" : encodeEntry(directions)) +
+           encodeRecord({type, bytes.bytes()});
   }
   ByteWriter bytes;
   const Type type = std::visit([&](const auto& what) { return put(what, bytes); }, entry);

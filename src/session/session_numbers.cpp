@@ -9,6 +9,7 @@ namespace revisit_slam {
 GraphNode SessionNumbers::operator()(GraphNode node) const {
   node.id = (*this)(node.id);
   for (GnssFix& fix : node.fixes) fix.scan = (*this)(fix.scan);
+  if (node.gravity) node.gravity->scan = (*this)(node.gravity->scan);
   return node;
 }
 

@@ -19,7 +19,8 @@ class LogReplay {
   LogReplay(const StoredParameters& parameters, bool with_solver)
       : backend_(parameters.backend),
         gnss_(parameters.gnss),
-        solver_(parameters.backend, parameters.gnss),
+        gravity_(parameters.gravity),
+        solver_(parameters.backend, parameters.gnss, parameters.gravity),
         with_solver_(with_solver) {}
 
   /// @throws std::runtime_error for an entry that does not follow those before.
@@ -68,6 +69,8 @@ class LogReplay {
       append(node.id, scans_);
       const auto fixes = fixes_.find(node.id);
       if (fixes != fixes_.end()) node.fixes = fixes->second;
+      const auto direction = directions_.find(node.id);
+      if (direction != directions_.end()) node.gravity = direction->second;
       graph.nodes.push_back(node);
       if (with_solver_) solver_.add(node);
     }
@@ -76,6 +79,10 @@ class LogReplay {
   void add(const FixesAdded& added) {
     fixes_.clear();
     for (const auto& [carrier, fix] : added.fixes) fixes_[carrier].push_back(fix);
+  }
+
+  void add(const DirectionsAdded& added) {
+    directions_ = {added.directions.begin(), added.directions.end()};
   }
 
   void add(const MapGeoreferenced& entry) { graph.georeference = entry.georeference; }
@@ -141,7 +148,7 @@ class LogReplay {
       graph.T_map_odom = taken.T_map_scan.back() * last.T_odom_base.inverse();
     if (!with_solver_) return;
     const auto others = graph.nodes.begin() + static_cast<std::ptrdiff_t>(taken.T_map_scan.size());
-    solver_ = SlamGraph(backend_, gnss_);
+    solver_ = SlamGraph(backend_, gnss_, gravity_);
     solver_.addOptimised({graph.nodes.begin(), others}, taken.T_map_scan, taken.loops);
     std::for_each(others, graph.nodes.end(), [&](const GraphNode& node) { solver_.add(node); });
   }
@@ -177,11 +184,14 @@ class LogReplay {
 
   BackEndConfig backend_;
   GnssConfig gnss_;
+  GravityConfig gravity_;
   SlamGraph solver_;
   bool with_solver_;
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_
   ScanId last_scan_;
-  std::map<ScanId, std::vector<GnssFix>> fixes_;  // of the scans that follow
+  // Of the scans that follow.
+  std::map<ScanId, std::vector<GnssFix>> fixes_;
+  std::map<ScanId, GravityDirection> directions_;
   std::vector<Pose> T_map_keypose_, T_map_scan_;
   SessionOffsets<ScanId> scans_;           // of graph.nodes
   SessionOffsets<SubmapId> submap_order_;  // of submaps

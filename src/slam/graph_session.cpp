@@ -13,7 +13,7 @@ namespace {
 
 /// With the sessions that were mapped before.
 SlamGraph beginGraph(const SlamConfig& config, const KnownMapPtr& prior) {
-  SlamGraph graph(config.backend, config.gnss);
+  SlamGraph graph(config.backend, config.gnss, config.gravity);
   if (prior) graph.addOptimised(prior->nodes, prior->session.graph.T_map_scan, prior->loops);
   return graph;
 }
@@ -54,7 +54,7 @@ void GraphSession::add(const LoopClosures& closures) {
       log_.add(storedLocalMap(**searched, closures.view.get()));
       unsearched_.erase(searched);
     }
-    if (!closures.constraints.empty() || graph_.hasNewFixes(closures.last_scan))
+    if (!closures.constraints.empty() || graph_.hasNewMeasurements(closures.last_scan))
       optimise(closures.last_scan, closures.constraints, closures.request);
     else if (closures.request != 0)
       on_correction_(unchangedMap(id_, closures.request));

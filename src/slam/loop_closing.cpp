@@ -9,7 +9,8 @@
 namespace revisit_slam {
 
 LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs)
-    : with_gnss_(config.gnss.isConnected()),
+    : is_held_(config.gnss.isConnected() ||
+               (config.gravity.enabled && !config.priors.imu_topic.empty())),
       detector_(config.loops, config.retroactive, config.information),
       outputs_(std::move(outputs)) {}
 
@@ -26,8 +27,9 @@ void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
     known->T_map_scan.insert(known->T_map_scan.end(), T_map_scan.begin(), T_map_scan.end());
     known->loops.insert(known->loops.end(), map->loops.begin(), map->loops.end());
     known->session = map->nodes.back().id.session;
-    with_gnss_ |= std::any_of(map->nodes.begin(), map->nodes.end(),
-                              [](const GraphNode& node) { return !node.fixes.empty(); });
+    is_held_ |= std::any_of(map->nodes.begin(), map->nodes.end(), [](const GraphNode& node) {
+      return node.gravity || !node.fixes.empty();
+    });
   }
   detector_.correct(known);
 }
@@ -126,7 +128,8 @@ void LoopClosing::searchToTheEnd(const MapsClosed& closed) {
   if (!is_waiting) outputs_.closed(closed);
 }
 
-/// `then` follows when the graph has taken the loops, if there are any, or positions of GNSS.
+/// `then` follows when the graph has taken the loops, if there are any, or positions of GNSS
+/// or directions of gravity.
 /// @return whether it does.
 bool LoopClosing::hand(const LoopSearchResult& result, std::function<void()> then) {
   LoopClosures closures;
@@ -135,7 +138,7 @@ bool LoopClosing::hand(const LoopSearchResult& result, std::function<void()> the
   closures.origin = result.origin;
   closures.constraints = result.accepted();
   closures.view = result.view;
-  const bool has_answer = !closures.constraints.empty() || with_gnss_;
+  const bool has_answer = !closures.constraints.empty() || is_held_;
   if (has_answer) {
     closures.request = ++requests_;
     awaited_ = {closures.request, std::move(then)};

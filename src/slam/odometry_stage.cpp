@@ -47,6 +47,7 @@ OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
       gate_(config.odometry.max_prediction_time, config.odometry.restart_after),
       priors_(config.priors),
       gnss_(config.gnss),
+      gravity_(config.gravity),
       odometry_(makeOdometry()),
       rest_(config.mapping.rest_interval),
       voxel_size_(config.odometry.map.voxel_size) {}
@@ -83,6 +84,7 @@ std::vector<OdometryStage::Result> OdometryStage::takeMotion(const MotionReading
     gnss_.take(*position);
     return results;
   }
+  if (const auto* imu = std::get_if<ImuReading>(&reading)) gravity_.take(*imu);
   priors_.take(reading);
   release(false, results);
   return results;
@@ -186,10 +188,12 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   if (aligned.on_body > 0) account_.points_dropped["on the body"] += aligned.on_body;
   if (!aligned.scan) return reject(toString(aligned.outcome));
   ++account_.processed;
+  aligned.scan->sensor_frame = std::move(reading.frame_id);
   if (aligned.scan->voxel_size != voxel_size_) result.notice = describeVoxels(*aligned.scan);
   voxel_size_ = aligned.scan->voxel_size;
+  const std::string tilt = tilt_check_.take(*aligned.scan);
+  if (!tilt.empty()) putFirst(tilt, result.notice);
   nameScan(*aligned.scan);
-  aligned.scan->sensor_frame = std::move(reading.frame_id);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
   return result;
 }
@@ -203,7 +207,11 @@ void OdometryStage::nameScan(RegisteredScan& scan) {
     ++ids_;
   scan.id = {ids_ - 1, session_};
   gnss_.observe(scan.id, scan.stamp, scan.T_odom_base);
-  if (!is_repeated) scan.fixes = gnss_.due();
+  if (const auto direction = gravity_.observe(scan.id, scan.stamp, scan.T_odom_base))
+    direction_due_ = direction;
+  if (is_repeated) return;
+  scan.fixes = gnss_.due();
+  scan.gravity = std::exchange(direction_due_, std::nullopt);
 }
 
 std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const RegisteredScan& scan) const {
@@ -230,6 +238,7 @@ void OdometryStage::countDroppedMotion(const std::string& sensor, const std::str
 std::map<std::string, PriorAccount> OdometryStage::sensorAccounts() const {
   std::map<std::string, PriorAccount> accounts = priors_.accounts();
   if (gnss_.isConnected()) accounts[GnssTrack::kSensor] = gnss_.account();
+  if (gravity_.account().received > 0) accounts[GravityTrack::kSensor] = gravity_.account();
   return accounts;
 }
 
@@ -247,8 +256,11 @@ void OdometryStage::beginSession() {
   ++session_.value;
   priors_.restart();
   gnss_.restart();
+  gravity_.restart();
+  direction_due_.reset();
   odometry_ = makeOdometry();
   rest_ = RestDetector(rest_interval_);
+  tilt_check_ = {};
   ids_ = 0;
   voxel_size_ = config_.map.voxel_size;
 }

@@ -19,6 +19,7 @@ SlamConfig readConfig(const ConfigSources& sources, std::vector<std::string>& wa
   assignAll(parseSettings(sources.settings));
   if (!sources.base_frame.empty())
     config.frames.base = sources.base_frame == "none" ? "" : sources.base_frame;
+  config.frames.dropLeadingSlashes();
   return config;
 }
 

@@ -17,7 +17,7 @@ SessionMerge::SessionMerge(const SlamConfig& config, const std::vector<KnownMap>
                            OnSearch on_search)
     : config_(config),
       maps_(maps),
-      graph_(config.backend, config.gnss),
+      graph_(config.backend, config.gnss, config.gravity),
       closing_(config, outputs(std::move(on_search))) {
   addMaps();
   const ScanId last = graph_.nodes().back().id;
@@ -50,7 +50,7 @@ LoopClosing::Outputs SessionMerge::outputs(OnSearch on_search) {
 }
 
 void SessionMerge::answer(const LoopClosures& closures) {
-  if (closures.constraints.empty() && !graph_.hasNewFixes(closures.last_scan))
+  if (closures.constraints.empty() && !graph_.hasNewMeasurements(closures.last_scan))
     return closing_.correct(unchangedMap(closures.map.session, closures.request));
   graph_.optimise(closures.last_scan, closures.constraints);
   MapCorrection correction = correctionOf(graph_, closures.last_scan);

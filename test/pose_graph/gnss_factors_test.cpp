@@ -95,14 +95,14 @@ double largestStepError(const SlamGraph& graph) {
 
 TEST(GnssFactors, StraightenADriveAndPlaceItOnTheEarth) {
   SlamGraph graph = graphOf({});
-  EXPECT_TRUE(graph.hasNewFixes(ScanId{kNodes - 1}));
+  EXPECT_TRUE(graph.hasNewMeasurements(ScanId{kNodes - 1}));
   ASSERT_TRUE(graph.optimise(ScanId{kNodes - 1}, {}));
   ASSERT_TRUE(graph.georeference());
   EXPECT_LT(absoluteError(graph), 0.8);  // of positions that err by 3.7 m
   EXPECT_LT(largestStepError(graph), 0.1);
   EXPECT_EQ(graph.georeference()->fixes, kNodes / 2);
   EXPECT_LT(graph.georeference()->outliers, 4u);
-  EXPECT_FALSE(graph.hasNewFixes(ScanId{kNodes - 1}));
+  EXPECT_FALSE(graph.hasNewMeasurements(ScanId{kNodes - 1}));
   EXPECT_EQ(graph.lastSolution().outcome, SolveOutcome::converged);
 }
 
@@ -191,22 +191,6 @@ TEST(GnssFactors, WithoutADatumTheFirstPositionIsIt) {
   const GeodeticPosition first = graph.nodes()[0].fixes[0].position;
   EXPECT_EQ(graph.georeference()->datum.latitude, first.latitude);
   EXPECT_LT((graph.georeference()->T_enu_map.translation).norm(), 8.0);
-}
-
-/// In the proportion of the information: what is known best may err by the drift beyond it.
-TEST(GnssFactors, OdometryMayErrBeyondItsInformation) {
-  const GnssConfig config = connected();
-  const GnssFactors factors(config);
-  Matrix6 information = Matrix6::Identity();
-  information.diagonal() << 100.0, 400.0, 1e4, 1e6, 1e6, 1e6;
-  const double drift = 3.0 * config.drift, turn_drift = 3.0 * config.turn_drift;
-  const Matrix6 loose = factors.loosened(information, 3.0);
-  EXPECT_NEAR(1.0 / loose(2, 2), 1e-4 + drift * drift, 1e-9);
-  EXPECT_NEAR(1.0 / loose(0, 0), 100.0 * (1e-4 + drift * drift), 1e-6);
-  EXPECT_NEAR(1.0 / loose(4, 4), 1e-6 + turn_drift * turn_drift, 1e-9);
-  information.row(0).setZero();
-  information.col(0).setZero();
-  EXPECT_EQ(factors.loosened(information, 3.0)(0, 0), 0.0);
 }
 
 TEST(GnssFactors, ADatumThatIsNoneIsRefused) {

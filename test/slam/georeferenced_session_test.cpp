@@ -18,8 +18,9 @@ Pose enuToOdom() {
   return {expSO3({0.0, 0.0, 0.7}), {40.0, -20.0, 3.0}};
 }
 
-/// The drive through the street, with a position at each third scan.
-std::vector<GraphNode> nodesWithFixes() {
+/// The drive through the street, with a position at each third scan and a direction of gravity, of
+/// the scan before, at each fifth.
+std::vector<GraphNode> nodesWithMeasurements() {
   const LocalEnu enu(kDatum);
   std::vector<GraphNode> nodes = StreetDrive::get().nodes;
   for (std::size_t i = 0; i < nodes.size(); i += 3) {
@@ -30,6 +31,12 @@ std::vector<GraphNode> nodesWithFixes() {
     fix.position = enu.toGeodetic(enuToOdom() * (nodes[i].T_odom_base * fix.p_scan));
     fix.covariance_enu *= 0.01;
     nodes[i].fixes.push_back(fix);
+  }
+  for (std::size_t i = 5; i < nodes.size(); i += 5) {
+    const Pose& T_odom_base = nodes[i - 1].T_odom_base;
+    nodes[i].gravity = GravityDirection{
+        nodes[i - 1].id,
+        T_odom_base.rotation.conjugate() * Eigen::Vector3d(0.001 * (i % 3), 0.0, 1.0).normalized()};
   }
   return nodes;
 }
@@ -42,7 +49,7 @@ class GeoreferencedSession : public testing::Test {
     const StreetDrive& drive = StreetDrive::get();
     GraphSession session({}, config_, drive.nodes.front().stamp, {path_, "", nullptr, false},
                          [this](const MapCorrectionPtr& correction) { last_ = correction; });
-    for (const GraphNode& node : nodesWithFixes()) session.add(node);
+    for (const GraphNode& node : nodesWithMeasurements()) session.add(node);
     for (const MapUpdatePtr& update : drive.updates) session.add(update);
     LoopClosures closures;
     closures.map = drive.updates.back()->submap->local_map;
@@ -67,14 +74,19 @@ class GeoreferencedSession : public testing::Test {
   std::vector<Pose> T_map_scan_;
 };
 
-TEST_F(GeoreferencedSession, PositionsAndAlignmentAreReadAsTheyWere) {
+TEST_F(GeoreferencedSession, MeasurementsAndAlignmentAreReadAsTheyWere) {
   ASSERT_TRUE(georeference_);
   std::vector<std::string> notices;
   const Session session = readSession(path_, notices);
   EXPECT_TRUE(notices.empty()) << notices.front();
-  const std::vector<GraphNode> nodes = nodesWithFixes();
+  const std::vector<GraphNode> nodes = nodesWithMeasurements();
   ASSERT_EQ(session.graph.nodes.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ASSERT_EQ(session.graph.nodes[i].gravity.has_value(), i > 0 && i % 5 == 0);
+    if (nodes[i].gravity) {
+      EXPECT_EQ(session.graph.nodes[i].gravity->scan, nodes[i].gravity->scan);
+      EXPECT_EQ(session.graph.nodes[i].gravity->up_base, nodes[i].gravity->up_base);
+    }
     ASSERT_EQ(session.graph.nodes[i].fixes.size(), nodes[i].fixes.size());
     if (nodes[i].fixes.empty()) continue;
     EXPECT_EQ(session.graph.nodes[i].fixes[0].p_scan, nodes[i].fixes[0].p_scan);

@@ -12,6 +12,8 @@ struct BackEndConfig {
   SolverConfig solver;
   LoopKernelConfig loop_kernel;
   double min_inlier_weight = 0.1;
+  double drift = 0.007;
+  double turn_drift = 2e-4;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -21,6 +23,15 @@ struct BackEndConfig {
       "weight of the robust kernel below which a loop is an outlier; new loops that make more "
       "established loops outliers than they have inliers are rejected. Raise it if wrong loops "
       "are kept; lower it if right loops are rejected");
+    v("drift", drift, Range{0.0, 1.0}, "",
+      "error in metres of each metre travelled that the odometry may have beyond its information, "
+      "where positions of GNSS or directions of gravity are used: in the direction that it knows "
+      "best, in others as much more as it knows less. Raise it if the map does not follow good "
+      "positions; lower it if their noise bends the map");
+    v("turn_drift", turn_drift, Range{0.0, 1.0}, "rad/m",
+      "likewise in radians of each metre travelled, about the axis that it knows best. Raise it if "
+      "the map does not follow good positions or directions; lower it if their noise bends the "
+      "map");
   }
 };
 

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "revisit_slam/pose_graph/gravity_factor.h"
 #include "revisit_slam/pose_graph/position_factor.h"
 #include "revisit_slam/pose_graph/relative_pose_factor.h"
 #include "revisit_slam/pose_graph/relative_position_factor.h"
@@ -24,7 +25,8 @@ namespace revisit_slam {
 /// that of the first scan's base then, and need not point up. One that binds several must not
 /// change when these are moved together. A node that such a factor binds is kept by the chain
 /// reduction.
-using Measurement = std::variant<RelativePoseFactor, PositionFactor, RelativePositionFactor>;
+using Measurement =
+    std::variant<RelativePoseFactor, PositionFactor, RelativePositionFactor, GravityFactor>;
 
 /// The nodes that a factor binds, as a range.
 class FactorNodes {

@@ -42,10 +42,6 @@ class GnssFactors {
   /// Whether a graph of so many nodes has positions that the last solution has not.
   bool hasNew(std::size_t nodes) const { return countOf(nodes) > used_; }
 
-  /// The information of an odometry edge of this length with what it may err beyond it: in the
-  /// directions that it knows best gnss/drift a metre.
-  Matrix6 loosened(const Matrix6& information, double metres) const;
-
   /// Adds node and factors to a graph that has the nodes of all scans. Nothing where it has too few
   /// positions to align it. Those at scans in other maps do not count.
   std::optional<GnssTerms> addTo(PoseGraph& graph, const IsInMap& is_in_map) const;

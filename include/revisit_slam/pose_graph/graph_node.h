@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "revisit_slam/types/gnss_fix.h"
@@ -14,12 +15,15 @@ struct GraphNode {
   Stamp stamp;
   Pose T_odom_base;
   Matrix6 information = Matrix6::Identity();  ///< Lambda_odo, of the motion since the scan before
-  std::vector<GnssFix> fixes{};  ///< that take part from this scan on; of it or scans before
+  // Of it or of scans before, and take part from this scan on.
+  std::vector<GnssFix> fixes{};
+  std::optional<GravityDirection> gravity{};
 };
 
 inline GraphNode nodeOf(const InformedScan& informed) {
   const RegisteredScan& scan = *informed.scan;
-  return {scan.id, scan.stamp, scan.T_odom_base, informed.estimate.information, scan.fixes};
+  return {scan.id,    scan.stamp,  scan.T_odom_base, informed.estimate.information,
+          scan.fixes, scan.gravity};
 }
 
 }  // namespace revisit_slam

@@ -8,6 +8,7 @@
 #include "revisit_slam/pose_graph/back_end_config.h"
 #include "revisit_slam/pose_graph/gnss_factors.h"
 #include "revisit_slam/pose_graph/graph_node.h"
+#include "revisit_slam/pose_graph/gravity_factors.h"
 #include "revisit_slam/pose_graph/pose_graph.h"
 #include "revisit_slam/pose_graph/pose_graph_solution.h"
 #include "revisit_slam/types/map_correction.h"
@@ -18,14 +19,16 @@ namespace revisit_slam {
 
 /// The pose graph of a drive, or of several sessions: one node a scan, odometry edges between
 /// consecutive scans of a session, loop edges between first scans of submaps, positions of GNSS in
-/// a frame enu that is a node of its own, and the poses of the last good optimisation. It alone
+/// a frame enu that is a node of its own, directions of gravity, and the poses of the last good
+/// optimisation. It alone
 /// knows which node of a PoseGraph stands for which scan. Sessions that loops do not tie to each
 /// other have maps of their own (SessionGroups); loops that tie two for the first time bring the
 /// later one into the map of the earlier. Positions of GNSS count in the map of the first session.
 class SlamGraph {
  public:
-  explicit SlamGraph(const BackEndConfig& config, const GnssConfig& gnss = {})
-      : config_(config), gnss_(gnss) {}
+  explicit SlamGraph(const BackEndConfig& config, const GnssConfig& gnss = {},
+                     const GravityConfig& gravity = {})
+      : config_(config), gnss_(gnss), gravity_(gravity) {}
 
   /// Takes effect with the next optimisation.
   void reconfigure(const BackEndConfig& config);
@@ -59,8 +62,12 @@ class SlamGraph {
   /// Of the newest session.
   Pose T_map_odom() const { return T_map_odom_; }
 
-  /// Whether an optimisation up to this scan would have positions of GNSS that are new.
-  bool hasNewFixes(ScanId last) const { return gnss_.hasNew(nodeOfScan(last).value + 1); }
+  /// Whether an optimisation up to this scan would have positions of GNSS or directions of gravity
+  /// that are new.
+  bool hasNewMeasurements(ScanId last) const {
+    const std::size_t nodes = nodeOfScan(last).value + 1;
+    return gnss_.hasNew(nodes) || gravity_.hasNew(nodes);
+  }
   /// Where the map lies on the earth by the last optimisation.
   std::optional<Georeference> georeference() const { return gnss_.georeference(); }
 
@@ -87,8 +94,9 @@ class SlamGraph {
   };
   struct LoopGraph {
     PoseGraph graph;
+    std::size_t scans = 0;  // the first nodes
     std::vector<LoopFactor> loops;
-    std::optional<GnssTerms> gnss;  // its node is the last one
+    std::optional<GnssTerms> gnss;
   };
 
   NodeId nodeOfScan(ScanId id) const { return NodeId{static_cast<std::uint32_t>(scans_[id])}; }
@@ -111,6 +119,7 @@ class SlamGraph {
 
   BackEndConfig config_;
   GnssFactors gnss_;
+  GravityFactors gravity_;
   std::vector<GraphNode> nodes_;     // by NodeId
   SessionOffsets<ScanId> scans_;     // in nodes_
   std::vector<LoopEdge> loops_;      // by LoopId

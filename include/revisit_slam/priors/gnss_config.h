@@ -23,8 +23,6 @@ struct GnssConfig {
   double kernel_scale = 4.0;
   double alignment_deviation = 0.05;
   double start_tilt = 0.1;
-  double drift = 0.007;
-  double turn_drift = 2e-4;
 
   bool isConnected() const { return !topic.empty(); }
   /// Nothing where the parameter is empty. @throws ParameterError
@@ -69,14 +67,6 @@ struct GnssConfig {
     v("start_tilt", start_tilt, Range{0.001, 3.2}, "rad",
       "standard deviation of the tilt of the base at the first scan. Raise it for starts on slopes "
       "and in the hand; lower it for level yards");
-    v("drift", drift, Range{0.0, 1.0}, "",
-      "error in metres of each metre travelled that the odometry may have beyond its information, "
-      "where positions are used: in the direction that it knows best, in others as much more as it "
-      "knows less. Raise it if the map does not follow good positions; lower it if noise of "
-      "positions bends the map");
-    v("turn_drift", turn_drift, Range{0.0, 1.0}, "rad/m",
-      "likewise in radians of each metre travelled, about the axis that it knows best. Raise it if "
-      "the map does not follow good positions; lower it if noise of positions bends the map");
   }
 };
 

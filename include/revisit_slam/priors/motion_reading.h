@@ -27,6 +27,9 @@ struct ImuReading {
   Eigen::Vector3d turn_rate = Eigen::Vector3d::Zero();  ///< rad/s
   /// Of a turn rate, (rad/s)^2, mean of the axes; none: not known.
   std::optional<double> turn_rate_variance;
+  /// As an accelerometer measures it: of a unit that rests 9.81 m/s^2 upwards; none: not measured.
+  std::optional<Eigen::Vector3d> acceleration{};
+  Eigen::Vector3d p_base = Eigen::Vector3d::Zero();  ///< the unit, in the base frame
 };
 
 /// What sensors beside the LiDAR measure.

@@ -76,14 +76,20 @@ struct FixesAdded {
   std::vector<std::pair<ScanId, GnssFix>> fixes;
 };
 
+/// Directions of gravity, likewise.
+struct DirectionsAdded {
+  std::vector<std::pair<ScanId, GravityDirection>> directions;
+};
+
 /// Where an optimisation left the map on the earth.
 struct MapGeoreferenced {
   std::uint32_t version = 0;  ///< of the optimisation
   Georeference georeference;
 };
 
-using LogEntry = std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten,
-                              ParametersChanged, SessionsTakenOver, FixesAdded, MapGeoreferenced>;
+using LogEntry =
+    std::variant<SubmapClosed, ScansAdded, GraphOptimised, TrajectoryWritten, ParametersChanged,
+                 SessionsTakenOver, FixesAdded, MapGeoreferenced, DirectionsAdded>;
 
 /// Whether an entry is one of graph.log, which follows the drive; else it is one of
 /// optimisations.log, which follows the graph.
@@ -91,7 +97,8 @@ bool belongsToDrive(const LogEntry& entry);
 
 /// What either log begins with.
 std::string graphLogHeader();
-/// An entry as bytes of the log; scans with positions of GNSS as two.
+/// An entry as bytes of the log; scans with positions of GNSS or directions of
+/// gravity as several.
 std::string encodeEntry(const LogEntry& entry);
 
 struct GraphLog {

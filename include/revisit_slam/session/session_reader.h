@@ -17,6 +17,7 @@ struct StoredParameters {
   OccupancyConfig occupancy;
   BackEndConfig backend;
   GnssConfig gnss;
+  GravityConfig gravity;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -24,6 +25,7 @@ struct StoredParameters {
     v.group("occupancy", occupancy);
     v.group("backend", backend);
     v.group("gnss", gnss);
+    v.group("gravity", gravity);
   }
 };
 StoredParameters storedParameters(const SessionInfo& info);

@@ -76,7 +76,7 @@ class LoopClosing {
   void searchToTheEnd(const MapsClosed& closed);
   bool hand(const LoopSearchResult& result, std::function<void()> then);
 
-  bool with_gnss_;
+  bool is_held_;
   LoopDetector detector_;
   const Outputs outputs_;
   std::deque<Work> work_;  // not begun

@@ -15,10 +15,12 @@
 #include "revisit_slam/input/sweep_merger.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/priors/gnss_track.h"
+#include "revisit_slam/priors/gravity_track.h"
 #include "revisit_slam/priors/motion_priors.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/stamp_gate.h"
+#include "revisit_slam/slam/tilt_check.h"
 #include "revisit_slam/types/scan_account.h"
 
 namespace revisit_slam {
@@ -110,8 +112,11 @@ class OdometryStage {
   StampGate gate_;
   MotionPriors priors_;
   GnssTrack gnss_;
+  GravityTrack gravity_;
+  std::optional<GravityDirection> direction_due_;  // with the next scan of the graph
   Odometry odometry_;
   RestDetector rest_;
+  TiltCheck tilt_check_;
   std::uint32_t ids_ = 0;                    // given in the session
   double voxel_size_;                        // m, of the scan before
   std::deque<StampGate::Decision> waiting_;  // to be registered

@@ -11,8 +11,10 @@
 #include "revisit_slam/odometry/odometry_config.h"
 #include "revisit_slam/pose_graph/back_end_config.h"
 #include "revisit_slam/priors/gnss_config.h"
+#include "revisit_slam/priors/gravity_config.h"
 #include "revisit_slam/priors/priors_config.h"
 #include "revisit_slam/slam/background_config.h"
+#include "revisit_slam/util/frame_name.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
@@ -34,6 +36,11 @@ struct FramesConfig {
     v("earth", earth, Choices{}, "",
       "name of the frame of the earth's centre (ECEF), in which the map frame is broadcast as soon "
       "as GNSS has aligned it; usually earth; empty: it is not broadcast");
+  }
+
+  /// With names as tf2 knows them.
+  void dropLeadingSlashes() {
+    for (std::string* frame : {&map, &odom, &base, &earth}) *frame = withoutLeadingSlash(*frame);
   }
 };
 
@@ -89,6 +96,7 @@ struct SlamConfig {
   ScanInputConfig input;
   PriorsConfig priors;
   GnssConfig gnss;
+  GravityConfig gravity;
   OdometryConfig odometry;
   InformationConfig information;
   MappingConfig mapping;
@@ -106,6 +114,7 @@ struct SlamConfig {
     v.group("input", input);
     v.group("priors", priors);
     v.group("gnss", gnss);
+    v.group("gravity", gravity);
     v.group("odometry", odometry);
     v.group("information", information);
     v.group("mapping", mapping);

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "revisit_slam/types/gnss_fix.h"
+#include "revisit_slam/types/gravity_direction.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/pose_verdict.h"
@@ -46,7 +48,8 @@ struct RegisteredScan {
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
   bool deskewed = false;
-  std::vector<GnssFix> fixes;  ///< that are due with it, of scans before
+  std::vector<GnssFix> fixes;               ///< that are due with it, of scans before
+  std::optional<GravityDirection> gravity;  ///< that is due with it, of a scan before
 };
 
 using RegisteredScanPtr = std::shared_ptr<const RegisteredScan>;

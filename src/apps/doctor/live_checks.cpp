@@ -76,8 +76,10 @@ std::string chooseTopic(const std::string& wanted, Diagnosis& diagnosis) {
   if (wanted.empty() && scans.size() == 1) return scans.front().name;
   if (std::any_of(scans.begin(), scans.end(), is_wanted)) return wanted;
   if (wanted.empty() && scans.size() > 1)
-    diagnosis.findings.push_back({Level::fault, "topic", "there are several with scans",
-                                  "choose one with --points: " + namesOf(scans)});
+    diagnosis.findings.push_back(
+        {Level::fault, "topic", "there are several with scans",
+         "choose one with --points, or merge sensors of one robot by input/topics: " +
+             namesOf(scans)});
   else
     diagnosis.findings.push_back(
         {Level::fault, "topic",

@@ -12,6 +12,7 @@
 #include "revisit_slam/ros/input/scan_topics.h"
 #include "revisit_slam/ros/messages/connected_frames.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
+#include "revisit_slam/util/frame_name.h"
 
 namespace revisit_slam {
 namespace {
@@ -123,9 +124,11 @@ std::string BagScans::chooseTopic(const std::string& wanted) {
           : "; choose with --points (points:= in launch files) one of: " + join(topics_with_scans);
   if (wanted.empty()) {
     if (topics_with_scans.size() == 1) return *topics_with_scans.begin();
-    throw BagError((topics_with_scans.empty() ? "the bag has no topic with scans"
-                                              : "the bag has several topics with scans") +
-                   found);
+    throw BagError(
+        (topics_with_scans.empty() ? "the bag has no topic with scans"
+                                   : "the bag has several topics with scans") +
+        found +
+        (topics_with_scans.empty() ? "" : "; or merge sensors of one robot by input/topics"));
   }
   if (types.count(wanted) == 0) throw BagError("the bag has no topic '" + wanted + "'" + found);
   if (topics_with_scans.count(wanted) == 0)
@@ -208,7 +211,10 @@ std::vector<std::string> BagScans::framesAround(const std::string& frame) const 
 std::optional<Pose> BagScans::findExtrinsics(const std::string& base_frame,
                                              const std::string& sensor_frame) const {
   try {
-    return toPose(transforms_.lookupTransform(base_frame, sensor_frame, ros::Time(0)).transform);
+    return toPose(transforms_
+                      .lookupTransform(withoutLeadingSlash(base_frame),
+                                       withoutLeadingSlash(sensor_frame), ros::Time(0))
+                      .transform);
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }

@@ -76,7 +76,7 @@ MotionReader::Result MotionReader::readOdometry(const nav_msgs::Odometry& messag
   return {reading, sensor, ""};
 }
 
-/// A covariance that begins with -1: there is no turn rate (sensor_msgs/Imu).
+/// A covariance that begins with -1: there is no turn rate, or no acceleration (sensor_msgs/Imu).
 MotionReader::Result MotionReader::readImu(const sensor_msgs::Imu& message) const {
   const char* sensor = MotionPriors::kGyro;
   const Eigen::Vector3d turn_rate = toVector(message.angular_velocity);
@@ -90,6 +90,11 @@ MotionReader::Result MotionReader::readImu(const sensor_msgs::Imu& message) cons
   reading.turn_rate = T_base_imu->rotation * turn_rate;
   if (const auto covariance = toCovariance<3>(message.angular_velocity_covariance))
     reading.turn_rate_variance = covariance->trace() / 3.0;
+  const Eigen::Vector3d acceleration = toVector(message.linear_acceleration);
+  const bool has_acceleration = acceleration.allFinite() && !acceleration.isZero(0.0) &&
+                                message.linear_acceleration_covariance[0] != -1.0;
+  if (has_acceleration) reading.acceleration = T_base_imu->rotation * acceleration;
+  reading.p_base = T_base_imu->translation;
   return {reading, sensor, ""};
 }
 
@@ -127,7 +132,7 @@ MotionReader::Result MotionReader::readPosition(const sensor_msgs::NavSatFix& me
 std::optional<MotionReader::Result> MotionReader::readTransforms(
     const tf2_msgs::TFMessage& message) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    if (transform.header.frame_id != odometry_frame_) continue;
+    if (withoutLeadingSlash(transform.header.frame_id) != odometry_frame_) continue;
     if (child_frame_.empty()) child_frame_ = transform.child_frame_id;
     if (transform.child_frame_id != child_frame_) continue;
     nav_msgs::Odometry odometry;

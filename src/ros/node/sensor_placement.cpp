@@ -27,8 +27,9 @@ void SensorPlacement::restart() {
   missing_.reset();
 }
 
-std::optional<Pose> SensorPlacement::find(const std::string& sensor_frame,
+std::optional<Pose> SensorPlacement::find(const std::string& frame,
                                           const std::function<bool()>& stopping) {
+  const std::string sensor_frame = withoutLeadingSlash(frame);
   if (base_frame_.empty()) base_frame_ = sensor_frame;
   const auto known = placed_.find(sensor_frame);
   if (known == placed_.end()) return placed_[sensor_frame] = waitFor(sensor_frame, stopping);

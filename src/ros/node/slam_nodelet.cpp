@@ -11,6 +11,7 @@ namespace revisit_slam {
 void SlamNodelet::onInit() {
   try {
     config_ = loadConfig<SlamConfig>(getPrivateNodeHandle());
+    config_.frames.dropLeadingSlashes();
     start();
   } catch (const ParameterError& error) {
     NODELET_FATAL("%s", error.what());  // the loader drops what is thrown

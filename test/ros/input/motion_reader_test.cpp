@@ -83,6 +83,18 @@ TEST(MotionReader, TurnRatesAreTurnedIntoTheAxesOfTheBase) {
   EXPECT_NEAR(reading.turn_rate_variance.value(), 0.02, 1e-12);
 }
 
+TEST(MotionReader, AccelerationsAreTurnedIntoTheAxesOfTheBase) {
+  const auto message = imu("mounted");
+  EXPECT_FALSE(std::get<ImuReading>(read(message).reading.value()).acceleration);  // all zeros
+  message->linear_acceleration.x = 0.5;
+  message->linear_acceleration.z = 9.81;
+  const auto reading = std::get<ImuReading>(read(message).reading.value());
+  EXPECT_LT((reading.acceleration.value() - Eigen::Vector3d(0.0, 0.5, 9.81)).norm(), 1e-12);
+  EXPECT_EQ(reading.p_base, kMounting.translation);
+  message->linear_acceleration_covariance[0] = -1.0;
+  EXPECT_FALSE(std::get<ImuReading>(read(message).reading.value()).acceleration);
+}
+
 TEST(MotionReader, WhatCannotBeUsedIsRejectedWithTheReason) {
   EXPECT_EQ(read(odometry("unknown")).rejection, "no transform from 'unknown'");
   EXPECT_EQ(read(imu("")).rejection, "no transform from ''");

@@ -14,6 +14,7 @@
 #include "revisit_slam/priors/gnss_config.h"
 #include "revisit_slam/priors/motion_reading.h"
 #include "revisit_slam/priors/priors_config.h"
+#include "revisit_slam/util/frame_name.h"
 
 namespace revisit_slam {
 
@@ -29,7 +30,7 @@ class MotionReader {
 
   /// @throws ParameterError for an antenna that is none.
   MotionReader(const PriorsConfig& config, const GnssConfig& gnss, FindExtrinsics find_extrinsics)
-      : odometry_frame_(config.odometry_frame),
+      : odometry_frame_(withoutLeadingSlash(config.odometry_frame)),
         gnss_(gnss),
         antenna_base_(gnss.antennaInBase()),
         find_extrinsics_(std::move(find_extrinsics)) {}

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/util/frame_name.h"
 
 namespace revisit_slam {
 
@@ -27,10 +28,12 @@ class SensorPlacement {
   /// T_base_sensor, or nothing where the two frames are not connected. Follows a transform that
   /// changes, and says so. Waits by wall clock, as simulated time may not run, until `stopping`
   /// returns true.
-  std::optional<Pose> find(const std::string& sensor_frame, const std::function<bool()>& stopping);
+  std::optional<Pose> find(const std::string& frame, const std::function<bool()>& stopping);
 
   /// Whether find() would find it now.
-  bool knows(const std::string& sensor_frame) const { return lookUp(sensor_frame).has_value(); }
+  bool knows(const std::string& sensor_frame) const {
+    return lookUp(withoutLeadingSlash(sensor_frame)).has_value();
+  }
 
   /// That of the poses; empty before the first scan where it was given empty.
   const std::string& baseFrame() const { return base_frame_; }

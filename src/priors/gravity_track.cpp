@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/priors/gravity_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace revisit_slam {
+namespace {
+
+constexpr double kGravity = 9.81;             // m/s^2
+constexpr double kLargestError = 0.5;         // m/s^2: gravity itself varies by 0.03, biases by 0.2
+constexpr double kLongestGap = 0.5;           // s, between scans over which is interpolated
+constexpr double kFewestReadings = 5.0;       // a second
+constexpr std::size_t kMostWaiting = 30'000;  // half a minute of a fast unit: scans have stopped
+
+}  // namespace
+
+void GravityTrack::take(const ImuReading& reading) {
+  if (!config_.enabled || !reading.acceleration) return;
+  if (!readings_.empty() && reading.stamp <= readings_.back().stamp) return;
+  readings_.push_back(reading);
+  if (readings_.size() > kMostWaiting) readings_.pop_front();
+}
+
+std::optional<GravityDirection> GravityTrack::observe(ScanId id, Stamp stamp,
+                                                      const Pose& T_odom_base) {
+  if (!config_.enabled || readings_.empty()) return std::nullopt;
+  if (!scans_.empty() && secondsBetween(scans_.back().stamp, stamp) > kLongestGap) scans_.clear();
+  scans_.push_back({id, stamp, T_odom_base});
+  const bool is_whole = secondsBetween(scans_.front().stamp, stamp) >= config_.window;
+  std::optional<GravityDirection> direction;
+  if (is_whole) {
+    direction = endWindow();
+    scans_.erase(scans_.begin(), std::prev(scans_.end()));  // the next one begins with its end
+  }
+  const Stamp begin = scans_.front().stamp;
+  while (readings_.size() > 1 && readings_[1].stamp < begin) readings_.pop_front();
+  return direction;
+}
+
+std::optional<GravityDirection> GravityTrack::endWindow() {
+  ++account_.received;
+  const std::size_t middle = middleScan();
+  const auto drop = [&](const char* reason) { return ++account_.dropped[reason], std::nullopt; };
+  if (middle == 0 || middle + 1 == scans_.size()) return drop("too few scans");
+  if (last_ && *last_ == scans_[middle].id) return drop("at rest");
+  const std::optional<Eigen::Vector3d> force = meanForce(middle);
+  if (!force) return drop("accelerations are missing");
+  const Eigen::Vector3d up_odom = *force - acceleration(middle);
+  if (std::abs(up_odom.norm() - kGravity) > kLargestError)
+    return drop("not of the size of gravity");
+  ++account_.used;
+  last_ = scans_[middle].id;
+  const Eigen::Quaterniond& R_odom_base = scans_[middle].T_odom_base.rotation;
+  return GravityDirection{*last_, R_odom_base.conjugate() * up_odom.normalized()};
+}
+
+std::size_t GravityTrack::middleScan() const {
+  const double half = 0.5 * secondsBetween(scans_.front().stamp, scans_.back().stamp);
+  const auto middle = std::find_if(scans_.begin(), scans_.end(), [&](const Placed& scan) {
+    return secondsBetween(scans_.front().stamp, scan.stamp) >= half;
+  });
+  return static_cast<std::size_t>(middle - scans_.begin());
+}
+
+/// int w R_odom_base f dt, by the trapezoidal rule on the readings themselves.
+std::optional<Eigen::Vector3d> GravityTrack::meanForce(std::size_t middle) const {
+  const double rise = secondsBetween(scans_.front().stamp, scans_[middle].stamp);
+  const double fall = secondsBetween(scans_[middle].stamp, scans_.back().stamp);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double weights = 0.0;
+  std::size_t used = 0, to = 1;
+  for (const ImuReading& reading : readings_) {
+    const double since = secondsBetween(scans_.front().stamp, reading.stamp);
+    if (since < 0.0) continue;
+    if (since > rise + fall) break;
+    while (to + 1 < scans_.size() && scans_[to].stamp < reading.stamp) ++to;
+    const Placed &a = scans_[to - 1], &b = scans_[to];
+    const double share = secondsBetween(a.stamp, reading.stamp) / secondsBetween(a.stamp, b.stamp);
+    const Eigen::Quaterniond R_odom_base =
+        a.T_odom_base.rotation.slerp(share, b.T_odom_base.rotation);
+    const double weight = since < rise ? since / rise : (rise + fall - since) / fall;
+    sum += weight * (R_odom_base * *reading.acceleration);
+    weights += weight;
+    ++used;
+  }
+  if (static_cast<double>(used) < kFewestReadings * (rise + fall)) return std::nullopt;
+  return Eigen::Vector3d(sum / weights);
+}
+
+/// Of the unit, the mean with the weights w.
+Eigen::Vector3d GravityTrack::acceleration(std::size_t middle) const {
+  const Eigen::Vector3d& p_base = readings_.back().p_base;
+  const Placed &a = scans_.front(), &b = scans_[middle], &c = scans_.back();
+  const Eigen::Vector3d p_a = a.T_odom_base * p_base, p_b = b.T_odom_base * p_base,
+                        p_c = c.T_odom_base * p_base;
+  return 2.0 / secondsBetween(a.stamp, c.stamp) *
+         ((p_c - p_b) / secondsBetween(b.stamp, c.stamp) -
+          (p_b - p_a) / secondsBetween(a.stamp, b.stamp));
+}
+
+void GravityTrack::restart() {
+  scans_.clear();
+  last_.reset();
+  account_ = {};
+}
+
+}  // namespace revisit_slam
