@@ -47,6 +47,7 @@ list(APPEND core_sources ${CMAKE_CURRENT_BINARY_DIR}/presets.cpp)
 
 add_library(revisit_slam_core STATIC ${core_sources})
 revisit_slam_target_options(revisit_slam_core)
+revisit_slam_precompiled_headers(revisit_slam_core <tbb/parallel_for.h> <tbb/task_arena.h>)
 target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
 target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS})
 target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")

@@ -18,6 +18,7 @@ catkin_package(
 file(GLOB_RECURSE ros_sources CONFIGURE_DEPENDS src/ros/*.cpp)
 add_library(revisit_slam_ros STATIC ${ros_sources})
 revisit_slam_target_options(revisit_slam_ros)
+revisit_slam_precompiled_headers(revisit_slam_ros <ros/ros.h>)
 target_include_directories(revisit_slam_ros SYSTEM PUBLIC ${catkin_INCLUDE_DIRS})
 target_link_libraries(revisit_slam_ros PUBLIC revisit_slam_core ${catkin_LIBRARIES})
 add_dependencies(revisit_slam_ros ${catkin_EXPORTED_TARGETS} ${PROJECT_NAME}_gencfg
@@ -35,6 +36,7 @@ endif()
 file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
 add_library(revisit_slam_nodelets SHARED ${nodelet_sources})
 revisit_slam_target_options(revisit_slam_nodelets)
+revisit_slam_precompiled_headers(revisit_slam_nodelets REUSE_FROM revisit_slam_ros)
 target_link_libraries(revisit_slam_nodelets PRIVATE revisit_slam_ros)
 
 # `revisit_slam_program(name LIBRARIES)`; the parts of a program are in src/apps/NAME/.
