@@ -1,28 +1,7 @@
 # The ROS-free half. Nothing here links catkin, and check_layers fails the build when a ROS header is
 # included all the same (Debian keeps ROS headers in /usr/include, where any target sees them).
-find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(PCL REQUIRED COMPONENTS common io)
-find_package(Ceres REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core features2d)
-find_package(yaml-cpp REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(octomap REQUIRED)
-find_package(tsl-robin-map REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(Threads REQUIRED)
-find_package(ZLIB REQUIRED)
-# By name: Debian and Ubuntu 20.04 call its library, and where CMake finds it, otherwise.
-find_path(GEOGRAPHICLIB_INCLUDE_DIR GeographicLib/Geocentric.hpp)
-find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic)
-if(NOT GEOGRAPHICLIB_INCLUDE_DIR OR NOT GEOGRAPHICLIB_LIBRARY)
-  message(FATAL_ERROR "GeographicLib is missing: libgeographiclib-dev, on Ubuntu 20.04 libgeographic-dev")
-endif()
-find_package(TBB QUIET CONFIG)
-if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
-  find_library(TBB_LIBRARY tbb REQUIRED)
-  add_library(TBB::tbb UNKNOWN IMPORTED)
-  set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
-endif()
+include(cmake/core_dependencies.cmake)
+include(cmake/cli11.cmake)
 
 # From the ground up: a room includes itself and those before it.
 set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp priors odometry information occupancy mapping pose_graph loops io
@@ -48,7 +27,8 @@ list(APPEND core_sources ${CMAKE_CURRENT_BINARY_DIR}/presets.cpp)
 add_library(revisit_slam_core STATIC ${core_sources})
 revisit_slam_target_options(revisit_slam_core)
 revisit_slam_precompiled_headers(revisit_slam_core <tbb/parallel_for.h> <tbb/task_arena.h>)
-target_include_directories(revisit_slam_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+target_include_directories(revisit_slam_core PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                                    $<INSTALL_INTERFACE:include>)
 target_include_directories(revisit_slam_core SYSTEM PUBLIC ${PCL_INCLUDE_DIRS} ${OCTOMAP_INCLUDE_DIRS})
 target_compile_definitions(revisit_slam_core PRIVATE REVISIT_SLAM_VERSION="${PROJECT_VERSION}")
 # The BLAS that is found first factorises. Debian's Ceres brings ATLAS; the system's choice, OpenBLAS where
@@ -59,6 +39,18 @@ target_link_libraries(revisit_slam_core
   PRIVATE ${SYSTEM_BLAS} opencv_features2d ${CERES_LIBRARIES} gomp ${PCL_COMMON_LIBRARIES} ${PCL_IO_LIBRARIES}
           ${OCTOMAP_LIBRARIES} yaml-cpp nlohmann_json::nlohmann_json ZLIB::ZLIB
           ${GEOGRAPHICLIB_LIBRARY})
+
+# find_package(revisit_slam_core) and revisit_slam::revisit_slam_core, of an installation (docs/api.md).
+set(CORE_CMAKE_FOLDER share/revisit_slam_core/cmake)
+install(TARGETS revisit_slam_core EXPORT revisit_slam_core ARCHIVE DESTINATION lib)
+install(EXPORT revisit_slam_core NAMESPACE revisit_slam:: DESTINATION ${CORE_CMAKE_FOLDER}
+        FILE revisit_slam_core-targets.cmake)
+install(FILES cmake/revisit_slam_core-config.cmake cmake/core_dependencies.cmake DESTINATION ${CORE_CMAKE_FOLDER})
+
+# What docs/api.md shows.
+add_executable(map_scans examples/map_scans.cpp)
+revisit_slam_target_options(map_scans)
+target_link_libraries(map_scans PRIVATE revisit_slam_core)
 
 add_custom_target(check_layers ALL
   COMMAND ${CMAKE_COMMAND} "-DLAYERS=${REVISIT_SLAM_CORE_FOLDERS};simulation;ros;nodelets;apps"

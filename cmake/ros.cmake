@@ -68,6 +68,7 @@ install(DIRECTORY launch rviz cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION
 install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
-install(PROGRAMS scripts/report scripts/play_bag scripts/compare_odometry scripts/compare_places scripts/evaluate_pictures
+install(PROGRAMS scripts/report scripts/play_bag scripts/convert_ros2_bag scripts/compare_odometry scripts/compare_places
+        scripts/evaluate_pictures
         scripts/benchmark scripts/ablation scripts/compare_graphs
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

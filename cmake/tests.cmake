@@ -39,9 +39,10 @@ target_compile_definitions(apps_test PRIVATE REVISIT_SLAM_CONVERT_PROGRAM="$<TAR
                                              REVISIT_SLAM_EVALUATE_PROGRAM="$<TARGET_FILE:evaluate>"
                                              REVISIT_SLAM_EXPORT_PROGRAM="$<TARGET_FILE:export>"
                                              REVISIT_SLAM_MERGE_PROGRAM="$<TARGET_FILE:merge>"
+                                             REVISIT_SLAM_EXAMPLE_PROGRAM="$<TARGET_FILE:map_scans>"
                                              REVISIT_SLAM_DOCTOR_PROGRAM="$<TARGET_FILE:doctor>"
                                              REVISIT_SLAM_OFFLINE_PROGRAM="$<TARGET_FILE:offline>")
-add_dependencies(apps_test convert_dataset doctor evaluate export merge offline)
+add_dependencies(apps_test convert_dataset doctor evaluate export map_scans merge offline)
 
 # test/nodelets/NAME.test starts the program made of test/nodelets/NAME/*_test.cpp with a master of
 # its own.
@@ -68,6 +69,8 @@ if(REVISIT_SLAM_SIMULATION)
   add_dependencies(slam_rostest simulate)
 endif()
 
+# Python alone: links of the documentation, and what the scripts are made of.
+add_test(NAME scripts COMMAND /usr/bin/python3 -m unittest discover -s ${CMAKE_CURRENT_SOURCE_DIR}/test/scripts -p *_test.py)
 add_test(NAME beginner COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/check_beginner)
 # Skipped where clang-format or clang-tidy is another version than the one that formats.
 add_test(NAME format COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --format)

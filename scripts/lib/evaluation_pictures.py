@@ -113,7 +113,7 @@ def draw_upright(axes: Axes, maps: List[np.ndarray], across: int, ground: float)
 def section_picture(estimate: Estimate) -> Figure:
     """For each of the worst cells a level slice through the walls and two upright ones."""
     count = len(estimate.worst)
-    figure = plt.figure(figsize=(13, 6.2 * count), layout="constrained")
+    figure = plt.figure(figsize=(13, 6.2 * count), constrained_layout=True)
     grid = figure.add_gridspec(2 * count, 2, width_ratios=[1.0, 1.1])
     for rank, (maps, cell) in enumerate(zip(estimate.worst, estimate.worst_cells)):
         ground = ground_height(maps)

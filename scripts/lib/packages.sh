@@ -29,3 +29,9 @@ TEST_PACKAGES=(
 
 # Of scripts/fuzz alone.
 FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev libomp-14-dev llvm-14)
+
+# Of scripts/package alone.
+PACKAGING_PACKAGES=(debhelper dpkg-dev)
+
+# Of scripts/docs alone.
+DOCS_PACKAGES=(mkdocs mkdocs-material)

@@ -22,7 +22,7 @@ p.note { color: var(--muted); font-size: 14px; margin: 6px 0 0; max-width: 46em;
 .figures { display: flex; flex-wrap: wrap; gap: 1px;
            background: var(--line); border: 1px solid var(--line); border-radius: 8px;
            overflow: hidden; margin-top: 28px; }
-.figures div { background: #fff; padding: 14px 16px; flex: 1 1 150px; }
+.figures div { background: #fff; padding: 14px 16px; flex: 1 1 22%; min-width: 140px; }
 .figures b { display: block; font-size: 22px; font-weight: 600;
              font-variant-numeric: tabular-nums; }
 .figures span { color: var(--muted); font-size: 13.5px; }

@@ -133,13 +133,14 @@ def plan_figure(extent: Tuple[np.ndarray, np.ndarray], width: float = 10.0) -> T
     low, high = extent
     size = np.maximum(high - low, 1.0)
     height = float(np.clip(width * size[1] / size[0], 3.2, 9.5))
-    figure, axes = plt.subplots(figsize=(width, height + 0.5), layout="constrained")
+    figure, axes = plt.subplots(figsize=(width, height + 0.5), constrained_layout=True)
     axes.set_aspect("equal")
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
     axes.set_xticks([])
     axes.set_yticks([])
-    axes.spines[:].set_visible(False)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
     return figure, axes
 
 
@@ -206,7 +207,7 @@ def trajectory_picture(tracks: List[Track], loops: List[Loop]) -> Figure:
 
 
 def over_distance(height: float = 3.4) -> Tuple[Figure, Axes]:
-    figure, axes = plt.subplots(figsize=(10, height), layout="constrained")
+    figure, axes = plt.subplots(figsize=(10, height), constrained_layout=True)
     axes.set_xlabel("distance driven (m)")
     axes.margins(x=0.01)
     return figure, axes
@@ -320,6 +321,21 @@ def map_picture(points: np.ndarray, track: np.ndarray) -> Figure:
     return figure
 
 
+def revisit_picture(panels: List[Tuple[str, np.ndarray, np.ndarray]]) -> Figure:
+    """Each panel: its title, and the points of the first and the second pass."""
+    figure, row = plt.subplots(1, len(panels), figsize=(10, 3.4), constrained_layout=True, squeeze=False)
+    for axes, (title, first, second) in zip(row[0], panels):
+        for points, colour, name in ((first, BLUE, "first pass"), (second, RUST, "second pass")):
+            axes.scatter(*points.T, s=2.2, color=colour, linewidths=0, label=name)
+        axes.set_aspect("equal")
+        axes.invert_xaxis()  # left is left
+        axes.set_title(title, fontsize=10.5, color=INK)
+        axes.set_xlabel("metres to the left")
+    row[0][0].set_ylabel("height (m)")
+    row[0][0].legend(loc="upper center", markerscale=4.0, fontsize=9)
+    return figure
+
+
 class StageTimes(NamedTuple):
     """Milliseconds of each scan: total, and by stage where the stages are known."""
 
@@ -340,7 +356,7 @@ def read_pgm(path: Path) -> np.ndarray:
 
 def grid_picture(grid: np.ndarray) -> Figure:
     height = float(np.clip(10.0 * grid.shape[0] / grid.shape[1], 3.2, 9.5))
-    figure, axes = plt.subplots(figsize=(10.0, height), layout="constrained")
+    figure, axes = plt.subplots(figsize=(10.0, height), constrained_layout=True)
     axes.imshow(grid, cmap="gray", vmin=0, vmax=255, interpolation="antialiased")
     axes.set_axis_off()
     return figure
@@ -401,7 +417,7 @@ def largest_stages(times: StageTimes) -> Dict[str, np.ndarray]:
 def stage_picture(times: StageTimes) -> Figure:
     """Stacked means over short stretches of the drive, with the slowest scan of each stretch."""
     bins = min(len(times.total), 200)
-    figure, axes = plt.subplots(figsize=(10, 4.0), layout="constrained")
+    figure, axes = plt.subplots(figsize=(10, 4.0), constrained_layout=True)
     scans = np.linspace(0, len(times.total) - 1, bins)
     stages = largest_stages(times)
     colours = [

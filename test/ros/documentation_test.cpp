@@ -154,11 +154,5 @@ TEST(Documentation, EveryHeaderThatAPageNamesExists) {
           << page << ": " << header;
 }
 
-TEST(Documentation, EveryLinkOfAPageLeadsToAFile) {
-  for (const auto& page : pages())
-    for (const std::string& link : findAll(textOf(page), "\\]\\(([^)#:\\s]+)[)#]"))
-      EXPECT_TRUE(std::filesystem::exists(page.parent_path() / link)) << page << ": " << link;
-}
-
 }  // namespace
 }  // namespace revisit_slam

@@ -1,0 +1,23 @@
+# What the core is linked with: for its own build, and for programs that link an installed core.
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(PCL REQUIRED COMPONENTS common io)
+find_package(Ceres REQUIRED)
+find_package(OpenCV REQUIRED COMPONENTS core features2d)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(octomap REQUIRED)
+find_package(tsl-robin-map REQUIRED)
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+# By name: Debian and Ubuntu 20.04 call its library, and where CMake finds it, otherwise.
+find_path(GEOGRAPHICLIB_INCLUDE_DIR GeographicLib/Geocentric.hpp)
+find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic)
+if(NOT GEOGRAPHICLIB_INCLUDE_DIR OR NOT GEOGRAPHICLIB_LIBRARY)
+  message(FATAL_ERROR "GeographicLib is missing: libgeographiclib-dev, on Ubuntu 20.04 libgeographic-dev")
+endif()
+find_package(TBB QUIET CONFIG)
+if(NOT TARGET TBB::tbb)  # Ubuntu 20.04 ships no CMake package for TBB
+  find_library(TBB_LIBRARY tbb REQUIRED)
+  add_library(TBB::tbb UNKNOWN IMPORTED)
+  set_target_properties(TBB::tbb PROPERTIES IMPORTED_LOCATION ${TBB_LIBRARY})
+endif()
