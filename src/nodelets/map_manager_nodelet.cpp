@@ -69,7 +69,9 @@ class MapManagerNodelet : public SlamNodelet {
       status_.addSubmap();
       searching_->post([this, submap = maps->submap] { display_->add(submap); });
     };
-    outputs.session = [this](SessionId session) { display_->startAnew(session); };
+    outputs.session = [this](SessionId session, const KnownMapPtr& prior) {
+      display_->startAnew(session, prior);
+    };
     outputs.loops.search = [this](const LoopSearchResult& search) { show(search); };
     outputs.loops.closures = [this](const LoopClosures& closures) {
       closures_publisher_.publish(boost::make_shared<const LoopClosures>(closures));

@@ -12,6 +12,7 @@
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/input_report.h"
 #include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/map_to_extend_loader.h"
 #include "revisit_slam/ros/node/motion_inbox.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
 #include "revisit_slam/ros/node/scan_subscription.h"
@@ -33,6 +34,7 @@ class OdometryNodelet : public SlamNodelet {
     scans_.unsubscribe();
     motion_inbox_.unsubscribe();
     reset_service_.shutdown();
+    if (loader_) loader_->stop();
     live_parameters_.reset();
     if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
   }
@@ -49,12 +51,17 @@ class OdometryNodelet : public SlamNodelet {
     reader_ = std::make_unique<ScanReader>(config_.input);
     motion_reader_ = std::make_unique<MotionReader>(
         config_.priors, [this](const std::string& frame) { return place(frame); });
-    stage_ = std::make_unique<OdometryStage>(config_, now);
+    stage_ = std::make_unique<OdometryStage>(config_, now, mapToExtend(config_));
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
 
     topics_ = std::make_unique<OdometryTopics>(node, config_);
     reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
+    loader_ = loadMapsToExtend(private_node, config_, [this](const KnownMapPtr& map) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      next_map_ = map;
+      reset_requested_ = true;
+    });
     live_parameters_ = std::make_unique<LiveParameters<LiveOdometryConfig, OdometryConfig>>(
         private_node, "odometry", config_.odometry, [this](const OdometryConfig& config) {
           const std::lock_guard<std::mutex> lock(mutex_);
@@ -129,7 +136,7 @@ class OdometryNodelet : public SlamNodelet {
   void startSession() {
     placement_->restart();
     const std::lock_guard<std::mutex> lock(mutex_);
-    stage_->startSession();
+    stage_->startSession(std::exchange(next_map_, nullptr));
     scan_times_ = {};
   }
 
@@ -234,8 +241,9 @@ class OdometryNodelet : public SlamNodelet {
   std::unique_ptr<SensorPlacement> placement_;
   std::unique_ptr<OdometryTopics> topics_;
 
-  std::mutex mutex_;  // guards the next six
+  std::mutex mutex_;  // guards the next seven
   std::unique_ptr<OdometryStage> stage_;
+  KnownMapPtr next_map_;  // that the next session goes on from
   InputReport report_;
   RegistrationResult last_registration_;
   double last_delay_ = 0.0;  // s
@@ -246,6 +254,7 @@ class OdometryNodelet : public SlamNodelet {
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
+  std::unique_ptr<MapLoader> loader_;
   MotionInbox motion_inbox_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   ScanSubscription scans_;

@@ -17,6 +17,7 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
   thinned->T_odom_base = scan.T_odom_base;
   thinned->sensor_base = scan.sensor_base;
   thinned->voxel_size = scan.voxel_size;
+  thinned->goes_on_from = scan.goes_on_from;
   return thinned;
 }
 
@@ -30,15 +31,13 @@ double deviationOf(const InformedScan& informed) {
 
 }  // namespace
 
-MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs,
-                       KnownMapPtr prior)
+MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
     : mapping_(config.mapping),
       occupancy_(config.occupancy),
       largest_voxel_size_(config.odometry.map.voxel_size),
       building_(building),
       searching_(searching),
       outputs_(std::move(outputs)),
-      prior_(std::move(prior)),
       arena_(config.background.threads),
       config_(config) {}
 
@@ -64,10 +63,8 @@ void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double d
       unsure_ = {};
       position_odom_ = scan.T_odom_base.translation;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
-      searching_.post([this, session = session_] {
-        newest_ = session;
-        outputs_.session(session);
-      });
+      searching_.post(
+          [this, session = session_, prior = scan.goes_on_from] { begin(session, prior); });
       break;
     case ScanOrder::next:
       break;
@@ -129,12 +126,17 @@ void MapManager::giveUpWaiting() {
   });
 }
 
+void MapManager::begin(SessionId session, const KnownMapPtr& prior) {
+  newest_ = session;
+  LoopClosing& closing = closing_.try_emplace(session, config_, outputs_.loops).first->second;
+  if (prior) arena_.execute([&] { closing.goOnFrom({prior.get()}); });
+  outputs_.session(session, prior);
+}
+
 void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&)>& work) {
   searching_.post([this, session, work] {
-    const auto [entry, begins] = closing_.try_emplace(session, config_, outputs_.loops);
-    if (begins && prior_ && session == nextSession(prior_->session.info))
-      entry->second.goOnFrom({prior_.get()});
-    arena_.execute([&, &closing = entry->second] { work(closing); });
+    LoopClosing& closing = closing_.try_emplace(session, config_, outputs_.loops).first->second;
+    arena_.execute([&] { work(closing); });
     tidyUp();
   });
 }

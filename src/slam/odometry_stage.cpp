@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/odometry_stage.h"
 
+#include <algorithm>
 #include <exception>
 #include <sstream>
 #include <utility>
@@ -24,12 +25,13 @@ void putFirst(const std::string& text, std::string& notice) {
 
 }  // namespace
 
-OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
+OdometryStage::OdometryStage(const SlamConfig& config, SessionId first, KnownMapPtr prior)
     : config_(config.odometry),
       priors_config_(config.priors),
       rest_interval_(config.mapping.rest_interval),
       with_information_(config.information.enabled),
-      session_(first),
+      session_(prior ? nextSession(prior->session.info) : first),
+      prior_(std::move(prior)),
       information_(config.information),
       arena_(config.odometry.threads),
       assembler_(config.input),
@@ -157,6 +159,7 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   if (aligned.scan->voxel_size != voxel_size_) result.notice = describeVoxels(*aligned.scan);
   voxel_size_ = aligned.scan->voxel_size;
   aligned.scan->id = idOf(*aligned.scan);
+  aligned.scan->goes_on_from = std::exchange(prior_, nullptr);
   aligned.scan->sensor_frame = std::move(reading.frame_id);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
   return result;
@@ -184,9 +187,11 @@ void OdometryStage::countDropped(const std::string& reason) {
   gate_.expectGap();
 }
 
-void OdometryStage::startSession() {
+void OdometryStage::startSession(KnownMapPtr prior) {
   waiting_.clear();
   beginSession();
+  prior_ = std::move(prior);
+  if (prior_) session_ = std::max(session_, nextSession(prior_->session.info));
   assembler_.restart();
   said_sweep_form_.clear();
   gate_.restart();
@@ -195,6 +200,7 @@ void OdometryStage::startSession() {
 
 void OdometryStage::beginSession() {
   ++session_.value;
+  prior_.reset();
   priors_.restart();
   odometry_ = makeOdometry();
   rest_ = RestDetector(rest_interval_);

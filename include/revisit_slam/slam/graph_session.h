@@ -77,6 +77,15 @@ class GraphSession {
   const std::vector<SubmapPtr>& submaps() const { return log_.submaps(); }
   /// By number; null where occupancy is switched off.
   const std::vector<SubmapOccupancyPtr>& occupancies() const { return log_.occupancies(); }
+  /// What the session goes on from; null: nothing.
+  const KnownMapPtr& prior() const { return log_.prior(); }
+  /// Whether it is known where the session lies in the map: it goes on from none, or loops tie it
+  /// to the one that it goes on from.
+  bool isPlaced() const;
+  /// Whether this scan of the session is in the graph.
+  bool has(ScanId scan) const { return scans_before_ + scan.value < graph_.size(); }
+  /// How many scans of sessions that were mapped before are in the graph, the first ones.
+  std::size_t scansBefore() const { return scans_before_; }
   /// Empty: nothing is written unless asked for.
   const std::string& folder() const { return log_.folder(); }
   /// Why something waits to be written; empty: nothing does.

@@ -13,6 +13,7 @@
 #include "revisit_slam/input/sweep_assembler.h"
 #include "revisit_slam/odometry/odometry.h"
 #include "revisit_slam/priors/motion_priors.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/stamp_gate.h"
@@ -35,8 +36,9 @@ struct OdometryOutput {
 /// predicted with depends on stamps, not on who comes first.
 class OdometryStage {
  public:
-  /// Sessions count from `first`.
-  explicit OdometryStage(const SlamConfig& config, SessionId first = {});
+  /// Sessions count from `first`. Where the first one goes on from a map, its number follows those
+  /// of the map.
+  explicit OdometryStage(const SlamConfig& config, SessionId first = {}, KnownMapPtr prior = {});
 
   struct Result {
     OdometryOutput output;  ///< without scan where the reading was dropped
@@ -60,8 +62,8 @@ class OdometryStage {
   }
 
   /// The next scan is the first of another session, in an odometry frame of its own; the account
-  /// begins anew.
-  void startSession();
+  /// begins anew. `prior`: the map that the session goes on from; null: none.
+  void startSession(KnownMapPtr prior = {});
 
   void reconfigure(const OdometryConfig& config);
 
@@ -93,6 +95,7 @@ class OdometryStage {
   const double rest_interval_;
   const bool with_information_;
   SessionId session_;
+  KnownMapPtr prior_;  // that the session goes on from; null as soon as a scan has told of it
   InformationEstimator information_;
   tbb::task_arena arena_;
   SweepAssembler assembler_;

@@ -50,6 +50,7 @@ class SessionLog {
   /// The session as it is now, for exports; its submaps are those in the folder.
   Session snapshot() const;
 
+  const KnownMapPtr& prior() const { return target_.prior; }
   /// Empty: nothing is written unless asked for.
   const std::string& folder() const { return target_.folder; }
   const std::string& sensor() const { return target_.sensor; }

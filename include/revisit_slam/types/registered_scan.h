@@ -13,6 +13,8 @@
 
 namespace revisit_slam {
 
+struct KnownMap;
+
 /// A scan with its place in the odometry frame; what the odometry hands on.
 struct RegisteredScan {
   /// Scans of a base that rests repeat the id of the one before: maps and graph leave them out.
@@ -35,6 +37,8 @@ struct RegisteredScan {
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells
   bool deskewed = false;
+  /// Of the first scan of a session: the map that the session goes on from; else null.
+  std::shared_ptr<const KnownMap> goes_on_from;
 };
 
 using RegisteredScanPtr = std::shared_ptr<const RegisteredScan>;

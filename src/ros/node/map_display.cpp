@@ -8,6 +8,8 @@
 #include "revisit_slam/ros/messages/display.h"
 #include "revisit_slam/ros/messages/loop_markers.h"
 #include "revisit_slam/ros/messages/map_markers.h"
+#include "revisit_slam/slam/map_correction.h"
+#include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
 namespace {
@@ -40,13 +42,22 @@ MapDisplay::MapDisplay(ros::NodeHandle& node, const std::string& frame,
   candidates_ = node.advertise<Markers>("loop_candidates", 1, connected, none, untracked, latch);
 }
 
-void MapDisplay::startAnew(SessionId session) {
+void MapDisplay::startAnew(SessionId session, const KnownMapPtr& prior) {
   session_ = session;
   submaps_.clear();
   maps_.clear();
   searches_.clear();
   view_.reset();
+  prior_submaps_.clear();
+  prior_maps_.clear();
   correction_.reset();
+  if (prior) {
+    correction_ = std::make_shared<const MapCorrection>(correctionOf({prior.get()}));
+    for (const LocalMapPtr& map : prior->maps) {
+      prior_maps_[map->id] = map;
+      for (const SubmapPtr& submap : map->submaps) prior_submaps_[submap->id] = submap;
+    }
+  }
   draw();
 }
 
@@ -58,11 +69,19 @@ void MapDisplay::add(const LoopSearchResult& search) {
   if (searches_.size() > kSearches) searches_.pop_front();
 }
 
+/// Whether it is known where the session lies in the map.
+bool MapDisplay::isPlaced() const {
+  return prior_maps_.empty() || SessionGroups(correction_->loops).of(session_) != session_;
+}
+
 Pose MapDisplay::placeOf(const Submap& submap) const {
   if (!correction_) return submap.T_odom_submap;
-  const std::size_t scan = submap.first_scan.value;
-  return scan < correction_->T_map_scan.size() ? correction_->T_map_scan[scan]
-                                               : correction_->T_map_odom * submap.T_odom_submap;
+  const auto begin = correction_->begin.find(submap.id.session);
+  const std::size_t end = correction_->T_map_scan.size();
+  const std::size_t scan =
+      begin == correction_->begin.end() ? end : begin->second + submap.first_scan.value;
+  return scan < end ? correction_->T_map_scan[scan]
+                    : correction_->T_map_odom * submap.T_odom_submap;
 }
 
 void MapDisplay::draw() const {
@@ -77,6 +96,7 @@ void MapDisplay::draw() const {
 }
 
 void MapDisplay::drawClouds() const {
+  if (!isPlaced()) return;
   if (wanted(local_maps_)) {
     std::vector<CloudPart> parts;
     for (const LocalMapPtr& map : maps_)
@@ -92,6 +112,7 @@ void MapDisplay::drawClouds() const {
 }
 
 void MapDisplay::drawMarkers() const {
+  if (!isPlaced()) return;
   if (wanted(outlines_)) {
     std::vector<Pose> T_map_local;
     for (const LocalMapPtr& map : maps_) T_map_local.push_back(placeOf(*map));
@@ -102,11 +123,19 @@ void MapDisplay::drawMarkers() const {
     for (const SubmapPtr& submap : submaps_) T_map_submap.push_back(placeOf(*submap));
     keyposes_.publish(toKeyposes(submaps_, T_map_submap, frame_));
   }
-  if (wanted(candidates_))
-    candidates_.publish(toLoopCandidates(
-        {searches_.begin(), searches_.end()},
-        [this](LocalMapId id) { return placeOf(*maps_.at(id.value)); },
-        [this](SubmapId id) { return placeOf(*submaps_.at(id.value)); }, frame_));
+  if (wanted(candidates_)) drawCandidates();
+}
+
+void MapDisplay::drawCandidates() const {
+  candidates_.publish(toLoopCandidates(
+      {searches_.begin(), searches_.end()},
+      [this](LocalMapId id) {
+        return placeOf(id.session == session_ ? *maps_.at(id.value) : *prior_maps_.at(id));
+      },
+      [this](SubmapId id) {
+        return placeOf(id.session == session_ ? *submaps_.at(id.value) : *prior_submaps_.at(id));
+      },
+      frame_));
 }
 
 }  // namespace revisit_slam

@@ -5,11 +5,13 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "revisit_slam/loops/search/loop_search_result.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/types/map_correction.h"
 
 namespace revisit_slam {
@@ -21,7 +23,9 @@ class MapDisplay {
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
   MapDisplay(ros::NodeHandle& node, const std::string& frame, std::function<void()> on_subscriber);
 
-  void startAnew(SessionId session);
+  /// `prior`: the map that the session goes on from, null: none. It is not shown, but what looks
+  /// like it is.
+  void startAnew(SessionId session, const KnownMapPtr& prior);
   void add(const SubmapPtr& submap) {
     if (submap->id.session == session_) submaps_.push_back(submap);
   }
@@ -33,10 +37,12 @@ class MapDisplay {
   void draw() const;
 
  private:
+  bool isPlaced() const;
   Pose placeOf(const Submap& submap) const;
   Pose placeOf(const LocalMap& map) const { return placeOf(*map.submaps.front()); }
   void drawClouds() const;
   void drawMarkers() const;
+  void drawCandidates() const;
 
   std::string frame_;
   ros::Publisher local_maps_, submap_points_, outlines_, keyposes_, density_, candidates_;
@@ -44,6 +50,8 @@ class MapDisplay {
   SessionId session_;
   std::vector<SubmapPtr> submaps_;  // by number
   std::vector<LocalMapPtr> maps_;   // by number
+  std::map<SubmapId, SubmapPtr> prior_submaps_;
+  std::map<LocalMapId, LocalMapPtr> prior_maps_;
   std::deque<LoopSearchResult> searches_;
   std::shared_ptr<const PlaceView> view_;  // the newest
   MapCorrectionPtr correction_;
