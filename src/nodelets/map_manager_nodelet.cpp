@@ -67,7 +67,9 @@ class MapManagerNodelet : public SlamNodelet {
     outputs.maps = [this](const MapUpdatePtr& maps) {
       maps_publisher_.publish(toBoostPointer(maps));
       status_.addSubmap();
-      searching_->post([this, submap = maps->submap] { display_->add(submap); });
+      searching_->post([this, submap = maps->submap, library = maps->library] {
+        display_->add(submap, library);
+      });
     };
     outputs.session = [this](SessionId session, const KnownMapPtr& prior) {
       display_->startAnew(session, prior);

@@ -10,8 +10,9 @@
 
 namespace revisit_slam {
 
-LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs)
-    : detector_(config.loops, config.retroactive, config.information),
+LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs,
+                         const std::shared_ptr<SubmapLibrary>& library)
+    : detector_(config.loops, config.retroactive, config.information, library),
       outputs_(std::move(outputs)) {}
 
 void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {

@@ -29,6 +29,10 @@ double deviationOf(const InformedScan& informed) {
   return std::sqrt(informed.covariance_motion.topLeftCorner<3, 3>().trace());
 }
 
+std::size_t bytesOf(int megabytes) {
+  return static_cast<std::size_t>(megabytes) * 1'000'000;
+}
+
 }  // namespace
 
 MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
@@ -63,8 +67,10 @@ void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double d
       unsure_ = {};
       position_odom_ = scan.T_odom_base.translation;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
-      searching_.post(
-          [this, session = session_, prior = scan.goes_on_from] { begin(session, prior); });
+      library_ = std::make_shared<SubmapLibrary>(bytesOf(mapping_.cache_mb));
+      searching_.post([this, session = session_, prior = scan.goes_on_from, library = library_] {
+        begin(session, prior, library);
+      });
       break;
     case ScanOrder::next:
       break;
@@ -100,6 +106,8 @@ void MapManager::closeSession(std::uint32_t request, std::uint32_t scans) {
 
 void MapManager::hand(MapUpdate update) {
   if (!update.submap) return;
+  library_->add(update.submap, update.occupancy);
+  update.library = library_;
   const auto maps = std::make_shared<const MapUpdate>(std::move(update));
   outputs_.maps(maps);
   if (!maps->local_map) return;
@@ -126,9 +134,11 @@ void MapManager::giveUpWaiting() {
   });
 }
 
-void MapManager::begin(SessionId session, const KnownMapPtr& prior) {
+void MapManager::begin(SessionId session, const KnownMapPtr& prior,
+                       const std::shared_ptr<SubmapLibrary>& library) {
   newest_ = session;
-  LoopClosing& closing = closing_.try_emplace(session, config_, outputs_.loops).first->second;
+  LoopClosing& closing =
+      closing_.try_emplace(session, config_, outputs_.loops, library).first->second;
   if (prior) arena_.execute([&] { closing.goOnFrom({prior.get()}); });
   outputs_.session(session, prior);
 }

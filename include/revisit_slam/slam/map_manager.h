@@ -65,7 +65,8 @@ class MapManager {
   SubmapStart startWith(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
   void hand(MapUpdate update);
   void closeSession(std::uint32_t request, std::uint32_t scans);
-  void begin(SessionId session, const KnownMapPtr& prior);
+  void begin(SessionId session, const KnownMapPtr& prior,
+             const std::shared_ptr<SubmapLibrary>& library);
   void inLane(SessionId session, const std::function<void(LoopClosing&)>& work);
   void tidyUp();
 
@@ -79,7 +80,8 @@ class MapManager {
   // In the lane that builds.
   SessionOrder order_;
   SessionId session_;
-  std::unique_ptr<MapBuilder> builder_;  // null before the first scan
+  std::unique_ptr<MapBuilder> builder_;     // null before the first scan
+  std::shared_ptr<SubmapLibrary> library_;  // of the session
   UnsureDistance unsure_;
   Eigen::Vector3d position_odom_ = Eigen::Vector3d::Zero();  // of the scan before
 

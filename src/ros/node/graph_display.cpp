@@ -36,10 +36,13 @@ void GraphDisplay::draw(const GraphSession& session) {
   if (edges_.getNumSubscribers() > 0)
     edges_.publish(toLoopEdges(graph, min_inlier_weight_, frame_));
   if (cloud_.getNumSubscribers() > 0) {
+    std::vector<SubmapPtr> whole;
     std::vector<CloudPart> parts;
-    for (const SubmapPtr& submap : session.submaps())
-      if (session.has(submap->first_scan) && session.isPlaced())
-        parts.push_back({&submap->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    for (const SubmapPtr& submap : session.submaps()) {
+      if (!session.has(submap->first_scan) || !session.isPlaced()) continue;
+      whole.push_back(session.whole(*submap));
+      parts.push_back({&whole.back()->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    }
     cloud_.publish(toColouredCloud(parts, frame_, kMaxPoints));
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/map_display.h"
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 
 #include "revisit_slam/ros/messages/coloured_cloud.h"
@@ -17,8 +18,35 @@ namespace {
 constexpr std::size_t kMaxPoints = 1'000'000;
 constexpr std::size_t kSearches = 20;  // the newest, which are shown
 
+/// What placing a submap takes.
+Submap keyposeOf(const Submap& submap) {
+  Submap keypose;
+  keypose.id = submap.id;
+  keypose.local_map = submap.local_map;
+  keypose.first_scan = submap.first_scan;
+  keypose.T_odom_submap = submap.T_odom_submap;
+  return keypose;
+}
+
 bool wanted(const ros::Publisher& publisher) {
   return publisher.getNumSubscribers() > 0;
+}
+
+/// With the points alone that reach farthest along x and y, which its outline is drawn around.
+LocalMapPtr outermost(const LocalMap& map) {
+  auto outline = std::make_shared<LocalMap>();
+  outline->id = map.id;
+  outline->submaps = {std::make_shared<const Submap>(keyposeOf(*map.submaps.front()))};
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto is_less = [axis](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+      return a[axis] < b[axis];
+    };
+    const auto [least, most] = std::minmax_element(map.points.begin(), map.points.end(), is_less);
+    if (least == map.points.end()) continue;
+    outline->points.push_back(*least);
+    outline->points.push_back(*most);
+  }
+  return outline;
 }
 
 }  // namespace
@@ -45,6 +73,7 @@ MapDisplay::MapDisplay(ros::NodeHandle& node, const std::string& frame,
 void MapDisplay::startAnew(SessionId session, const KnownMapPtr& prior) {
   session_ = session;
   submaps_.clear();
+  library_.reset();
   maps_.clear();
   searches_.clear();
   view_.reset();
@@ -63,7 +92,7 @@ void MapDisplay::startAnew(SessionId session, const KnownMapPtr& prior) {
 
 void MapDisplay::add(const LoopSearchResult& search) {
   if (search.map->id.session != session_) return;
-  if (search.origin == LoopOrigin::appearance) maps_.push_back(search.map);
+  if (search.origin == LoopOrigin::appearance) maps_.push_back(outermost(*search.map));
   if (search.view) view_ = search.view;
   searches_.push_back(search);
   if (searches_.size() > kSearches) searches_.pop_front();
@@ -96,32 +125,34 @@ void MapDisplay::draw() const {
 }
 
 void MapDisplay::drawClouds() const {
-  if (!isPlaced()) return;
-  if (wanted(local_maps_)) {
-    std::vector<CloudPart> parts;
-    for (const LocalMapPtr& map : maps_)
-      parts.push_back({&map->points, placeOf(*map), colourOf(map->id.value)});
-    local_maps_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+  if (wanted(local_maps_))
+    local_maps_.publish(
+        drawn([](const Submap& submap) { return colourOf(submap.local_map.value); }));
+  if (wanted(submap_points_))
+    submap_points_.publish(drawn([](const Submap& submap) { return colourOf(submap.id.value); }));
+}
+
+sensor_msgs::PointCloud2 MapDisplay::drawn(
+    const std::function<std_msgs::ColorRGBA(const Submap&)>& colour) const {
+  std::vector<SubmapPtr> whole;
+  std::vector<CloudPart> parts;
+  for (const SubmapPtr& submap : shown(submaps_)) {
+    whole.push_back(library_->whole(submap->id));
+    parts.push_back({&whole.back()->points, placeOf(*submap), colour(*submap)});
   }
-  if (wanted(submap_points_)) {
-    std::vector<CloudPart> parts;
-    for (const SubmapPtr& submap : submaps_)
-      parts.push_back({&submap->points, placeOf(*submap), colourOf(submap->id.value)});
-    submap_points_.publish(toColouredCloud(parts, frame_, kMaxPoints));
-  }
+  return toColouredCloud(parts, frame_, kMaxPoints);
 }
 
 void MapDisplay::drawMarkers() const {
-  if (!isPlaced()) return;
   if (wanted(outlines_)) {
     std::vector<Pose> T_map_local;
-    for (const LocalMapPtr& map : maps_) T_map_local.push_back(placeOf(*map));
-    outlines_.publish(toOutlines(maps_, T_map_local, frame_));
+    for (const LocalMapPtr& map : shown(maps_)) T_map_local.push_back(placeOf(*map));
+    outlines_.publish(toOutlines(shown(maps_), T_map_local, frame_));
   }
   if (wanted(keyposes_)) {
     std::vector<Pose> T_map_submap;
-    for (const SubmapPtr& submap : submaps_) T_map_submap.push_back(placeOf(*submap));
-    keyposes_.publish(toKeyposes(submaps_, T_map_submap, frame_));
+    for (const SubmapPtr& submap : shown(submaps_)) T_map_submap.push_back(placeOf(*submap));
+    keyposes_.publish(toKeyposes(shown(submaps_), T_map_submap, frame_));
   }
   if (wanted(candidates_)) drawCandidates();
 }

@@ -66,11 +66,10 @@ void OccupancyDisplay::draw(const GraphSession& session) {
 }
 
 void OccupancyDisplay::place(const GraphSession& session) {
-  for (std::size_t i = 0; i < session.submaps().size(); ++i) {
-    const Submap& submap = *session.submaps()[i];
-    const SubmapOccupancyPtr& occupancy = session.occupancies()[i];
-    if (occupancy && session.has(submap.first_scan))
-      map_.place(submap.id, occupancy, session.graph().pose(submap.first_scan));
+  for (const SubmapPtr& submap : session.submaps()) {
+    if (!session.has(submap->first_scan)) continue;
+    if (const SubmapOccupancyPtr occupancy = session.occupancy(*submap))
+      map_.place(submap->id, occupancy, session.graph().pose(submap->first_scan));
   }
   map_.compose();
 }
