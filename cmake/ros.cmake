@@ -4,7 +4,7 @@ find_package(catkin REQUIRED COMPONENTS
   sensor_msgs std_msgs std_srvs tf2_msgs tf2_ros topic_tools visualization_msgs)
 
 add_message_files(FILES LocalizationStatus.msg)
-add_service_files(FILES SaveMap.srv DisableLoop.srv)
+add_service_files(FILES SaveMap.srv LoadMap.srv DisableLoop.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/LiveOdometry.cfg cfg/LiveInformation.cfg
   cfg/LiveRecognition.cfg cfg/LiveLoops.cfg cfg/LiveRetroactive.cfg cfg/LiveBackEnd.cfg)

@@ -8,6 +8,7 @@
 #include "revisit_slam/datasets/open_dataset.h"
 #include "revisit_slam/io/presets.h"
 #include "revisit_slam/priors/motion_priors.h"
+#include "revisit_slam/slam/map_to_extend.h"
 #include "revisit_slam/slam/read_config.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
@@ -41,8 +42,7 @@ SlamConfig configOf(const Options& options) {
 KnownMapPtr readPrior(const Options& options, const SlamConfig& config) {
   if (options.mode != "extend") return nullptr;
   std::vector<std::string> notices;
-  auto prior = std::make_shared<const KnownMap>(
-      readKnownMap(options.map, {}, config.loops.recognition, notices));
+  KnownMapPtr prior = readMapToExtend(options.map, config.loops.recognition, notices);
   for (const std::string& notice : notices) std::cerr << "offline: " << notice << "\n";
   return prior;
 }

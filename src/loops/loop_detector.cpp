@@ -23,7 +23,8 @@ LoopCloserConfig closerConfig(const LoopsConfig& loops, const RetroactiveConfig&
 }  // namespace
 
 LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
-                           const InformationConfig& information)
+                           const InformationConfig& information,
+                           std::shared_ptr<SubmapLibrary> library)
     : enabled_(loops.enabled),
       drift_(loops.closer.drift),
       max_pairs_(retroactive.max_pairs),
@@ -32,7 +33,8 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
       appearance_closer_(loops.closer, information),
       retroactive_closer_(closerConfig(loops, retroactive), information),
       retroactive_(searchConfig(loops, retroactive)),
-      joining_(loops.joining, loops.closer.consistency) {}
+      joining_(loops.joining, loops.closer.consistency),
+      library_(std::move(library)) {}
 
 void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   drift_ = loops.closer.drift;
@@ -46,10 +48,30 @@ void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig
 
 void LoopDetector::add(const LocalMapPtr& map) {
   order_.append(map->id);
-  maps_.push_back(map);
+  maps_.push_back(withoutPoints(map));
   for (const SubmapPtr& submap : map->submaps)
     for (ScanId scan = submap->first_scan; scan.value <= submap->lastScan().value; ++scan.value)
       scans_.append(scan);
+}
+
+LocalMapPtr LoopDetector::withoutPoints(const LocalMapPtr& map) const {
+  if (!library_ || !library_->has(map->submaps.front()->id)) return map;
+  auto light = std::make_shared<LocalMap>();
+  light->id = map->id;
+  for (const SubmapPtr& submap : map->submaps)
+    light->submaps.push_back(library_->light(submap->id));
+  return light;
+}
+
+/// With the points of its submaps.
+LocalMapPtr LoopDetector::mapOf(LocalMapId id) const {
+  const LocalMapPtr& map = maps_.at(order_[id]);
+  if (!library_ || !library_->has(map->submaps.front()->id)) return map;
+  auto whole = std::make_shared<LocalMap>();
+  whole->id = map->id;
+  for (const SubmapPtr& submap : map->submaps)
+    whole->submaps.push_back(library_->whole(submap->id));
+  return whole;
 }
 
 void LoopDetector::addSearched(const LocalMapPtr& map, const PlaceView& view) {
@@ -69,6 +91,7 @@ LoopSearchResult LoopDetector::newSearch(LoopOrigin origin) const {
 LoopSearchResult LoopDetector::searchByAppearance(const LocalMapPtr& map) {
   add(map);
   LoopSearchResult result = newSearch(LoopOrigin::appearance);
+  result.map = map;
   if (!enabled_) return result;
   StageClock clock;
   recognition_.recognise(*map);
@@ -131,7 +154,8 @@ void LoopDetector::believe(LoopSearchResult& result) {
 /// are where the odometry or the graph has them.
 std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source,
                                                           const PlaceMatch& match) const {
-  const LocalMap& target = *mapOf(match.target);
+  const LocalMapPtr whole = mapOf(match.target);
+  const LocalMap& target = *whole;
   const AssociationConfig& association = appearance_closer_.association();
   const ScanPoses T_map_scan = placeScans();
   const PriorOf priors = priorsOf(T_map_scan);

@@ -89,9 +89,10 @@ class BackEndNodelet : public SlamNodelet {
     scan_subscriber_ = node.subscribe<InformedScan>(
         "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
           broadcaster_->onScan(*informed->scan);
-          lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame] {
+          lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame,
+                       prior = informed->scan->goes_on_from] {
             sensor_frame_ = frame;
-            add(node);
+            add(node, prior);
           });
         });
   }
@@ -106,8 +107,8 @@ class BackEndNodelet : public SlamNodelet {
                                                     config_.occupancy, draw_again);
   }
 
-  void add(const GraphNode& node) {
-    switch (stage_->add(node)) {
+  void add(const GraphNode& node, const KnownMapPtr& prior) {
+    switch (stage_->add(node, prior)) {
       case ScanOrder::repeated:
         return;
       case ScanOrder::missed:
@@ -127,7 +128,7 @@ class BackEndNodelet : public SlamNodelet {
     constexpr std::size_t scans_per_path = 10;
     if (stage_->session()->graph().size() % scans_per_path != 0) return;
     status_.note(*stage_->session());
-    display_->drawPath(stage_->session()->graph());
+    display_->drawPath(*stage_->session());
   }
 
   void close(const LoopClosures& closures) {
@@ -149,7 +150,7 @@ class BackEndNodelet : public SlamNodelet {
   void publish(const MapCorrectionPtr& correction) {
     correction_publisher_.publish(toBoostPointer(correction));
     if (correction->version == 0) return;
-    broadcaster_->correct(correction->session, correction->T_map_odom);
+    broadcaster_->correct(*correction);
     georeference_->publish(*correction);
     status_.noteCorrection(*correction);
   }
@@ -157,7 +158,7 @@ class BackEndNodelet : public SlamNodelet {
   void draw() {
     if (!stage_->session()) return;
     status_.note(*stage_->session());
-    display_->draw(stage_->session()->graph(), stage_->session()->submaps());
+    display_->draw(*stage_->session());
     occupancy_->draw(*stage_->session());
   }
 

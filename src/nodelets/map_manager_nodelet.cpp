@@ -67,9 +67,13 @@ class MapManagerNodelet : public SlamNodelet {
     outputs.maps = [this](const MapUpdatePtr& maps) {
       maps_publisher_.publish(toBoostPointer(maps));
       status_.addSubmap();
-      searching_->post([this, submap = maps->submap] { display_->add(submap); });
+      searching_->post([this, submap = maps->submap, library = maps->library] {
+        display_->add(submap, library);
+      });
     };
-    outputs.session = [this](SessionId session) { display_->startAnew(session); };
+    outputs.session = [this](SessionId session, const KnownMapPtr& prior) {
+      display_->startAnew(session, prior);
+    };
     outputs.loops.search = [this](const LoopSearchResult& search) { show(search); };
     outputs.loops.closures = [this](const LoopClosures& closures) {
       closures_publisher_.publish(boost::make_shared<const LoopClosures>(closures));

@@ -7,17 +7,17 @@
 #include <utility>
 #include <variant>
 
-#include "revisit_slam/ros/messages/pose_conversions.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/input_report.h"
 #include "revisit_slam/ros/node/live_parameters.h"
+#include "revisit_slam/ros/node/map_to_extend_loader.h"
 #include "revisit_slam/ros/node/motion_subscription.h"
+#include "revisit_slam/ros/node/odometry_report.h"
 #include "revisit_slam/ros/node/odometry_topics.h"
 #include "revisit_slam/ros/node/scan_subscription.h"
 #include "revisit_slam/ros/node/sensor_placement.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/slam/odometry_stage.h"
-#include "revisit_slam/util/recent_times.h"
 #include "revisit_slam/util/work_queue.h"
 
 namespace revisit_slam {
@@ -32,6 +32,7 @@ class OdometryNodelet : public SlamNodelet {
     if (scans_) scans_->unsubscribe();
     if (motions_) motions_->unsubscribe();
     reset_service_.shutdown();
+    if (loader_) loader_->stop();
     live_parameters_.reset();
     if (queue_) queue_->stop();  // not reset(): its thread looks at queue_ until it ends
   }
@@ -48,12 +49,17 @@ class OdometryNodelet : public SlamNodelet {
     scans_ = std::make_unique<ScanSubscription>(config_.input);
     motions_ = std::make_unique<MotionSubscription>(
         config_.priors, config_.gnss, [this](const std::string& frame) { return place(frame); });
-    stage_ = std::make_unique<OdometryStage>(config_, now);
+    stage_ = std::make_unique<OdometryStage>(config_, now, mapToExtend(config_));
     placement_ =
         std::make_unique<SensorPlacement>(config_.frames.base, config_.live.transform_patience);
 
     topics_ = std::make_unique<OdometryTopics>(node, config_);
     reset_service_ = private_node.advertiseService("reset", &OdometryNodelet::reset, this);
+    loader_ = loadMapsToExtend(private_node, config_, [this](const KnownMapPtr& map) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      next_map_ = map;
+      reset_requested_ = true;
+    });
     live_parameters_ = std::make_unique<LiveParameters<LiveOdometryConfig, OdometryConfig>>(
         private_node, "odometry", config_.odometry, [this](const OdometryConfig& config) {
           const std::lock_guard<std::mutex> lock(mutex_);
@@ -111,7 +117,7 @@ class OdometryNodelet : public SlamNodelet {
     const bool registered = finish([&] { return stage_->process(std::move(reading)); });
     clock.stage("scan");
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (registered) scan_times_.add(clock.times().back().second);
+    if (registered) numbers_.noteTime(clock.times().back().second);
   }
 
   /// Scans of a frame that is known do not wait for one that may never be.
@@ -124,8 +130,8 @@ class OdometryNodelet : public SlamNodelet {
   void startSession() {
     placement_->restart();
     const std::lock_guard<std::mutex> lock(mutex_);
-    stage_->startSession();
-    scan_times_ = {};
+    stage_->startSession(std::exchange(next_map_, nullptr));
+    numbers_.restart();
   }
 
   /// What the stage made of what it was given. @return whether the last of it was registered.
@@ -156,10 +162,7 @@ class OdometryNodelet : public SlamNodelet {
 
   void note(const OdometryStage::Result& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (result.output.scan) {
-      last_registration_ = result.output.scan->registration;
-      last_delay_ = secondsBetween(result.output.scan->stamp, toStamp(ros::Time::now()));
-    }
+    if (result.output.scan) numbers_.note(*result.output.scan);
     report_.noteTimes(scans_->description(), scans_->remedy());
   }
 
@@ -203,17 +206,9 @@ class OdometryNodelet : public SlamNodelet {
     countUncounted();
     const std::lock_guard<std::mutex> lock(mutex_);
     flushWhereNoneComes();
-    report_.tell(*scans_, queue_->waiting(), placement_->fault(), scan_times_.median(), *stage_,
+    report_.tell(*scans_, queue_->waiting(), placement_->fault(), numbers_.medianTime(), *stage_,
                  status);
-    addValue("messages", stage_->sweepForm(), status);
-    addValue("registration", toString(last_registration_.outcome), status);
-    addValue("iterations", std::to_string(last_registration_.iterations), status);
-    addValue("delay (s)", std::to_string(last_delay_), status);
-    addValue("time of a scan: median, p99, largest (ms)", scan_times_.summary(), status);
-    addValue("scans held until the next", std::to_string(stage_->held()), status);
-    addAccount(stage_->account(), status);
-    addPriors(stage_->sensorAccounts(), status);
-    addLidars(stage_->lidarAccounts(), status);
+    numbers_.tell(*stage_, status);
   }
 
   /// What is held while no scan comes for a second has waited long enough for the next one.
@@ -232,16 +227,16 @@ class OdometryNodelet : public SlamNodelet {
 
   std::mutex mutex_;  // guards the next six
   std::unique_ptr<OdometryStage> stage_;
+  KnownMapPtr next_map_;  // that the next session goes on from
   InputReport report_;
-  RegistrationResult last_registration_;
-  double last_delay_ = 0.0;  // s
-  RecentTimes scan_times_;
+  OdometryReport numbers_;
   std::size_t received_before_ = 0;
   ros::WallTime received_at_;
 
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
+  std::unique_ptr<MapLoader> loader_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;
 };

@@ -20,6 +20,11 @@ void makeFolder(const std::string& path) {
   if (error) throw std::runtime_error("cannot make the folder '" + path + "': " + error.message());
 }
 
+/// The points and normals of a submap.
+Submap surfaceIn(const std::string& file) {
+  return *readSubmap(file, {SubmapRecord::points, SubmapRecord::normals}).submap;
+}
+
 }  // namespace
 
 SessionWriter::SessionWriter(SessionTarget target, SessionInfo info, int niceness)
@@ -98,14 +103,17 @@ void SessionWriter::write(const std::string& path, const std::string& bytes) {
 void SessionWriter::add(std::vector<GraphNode> scans, const SubmapClosed& closed,
                         const MapUpdatePtr& update) {
   const SubmapId id = closed.id;
-  lane_.post([this, id, update] { unwritten_[id] = update; });
+  if (update) lane_.post([this, id, update] { unwritten_[id] = update; });
   const LogEntry nodes = ScansAdded{std::move(scans)};
   post([this, id, closed, update, nodes] {
     setClosed(false);
-    write(submapFile(target_.folder, id, info_.id), encodeSubmap(*update));
+    const std::string file = submapFile(target_.folder, id, info_.id);
+    if (update) write(file, encodeSubmap(*update));
     log_->append(encodeEntry(nodes) + encodeEntry(closed));
     log_->sync();
     unwritten_.erase(id);
+    if (update && update->library)
+      update->library->noteStored(id, [file] { return surfaceIn(file); });
   });
 }
 

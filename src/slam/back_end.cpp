@@ -11,18 +11,19 @@ BackEnd::BackEnd(const SlamConfig& config, GraphSession::OnCorrection on_correct
       on_correction_(std::move(on_correction)),
       targets_(targets ? std::move(targets) : liveTargets(config.live)) {}
 
-ScanOrder BackEnd::add(const GraphNode& node) {
+ScanOrder BackEnd::add(const GraphNode& node, const KnownMapPtr& prior) {
   const ScanOrder order = order_.take(node.id);
   if (order == ScanOrder::missed || order == ScanOrder::repeated) return order;
-  if (order == ScanOrder::first) startSession(node.id.session, node.stamp);
+  if (order == ScanOrder::first) startSession(node.id.session, node.stamp, prior);
   session_->add(node);
   forgetEnded();
   return order;
 }
 
-void BackEnd::startSession(SessionId id, Stamp start) {
-  auto session =
-      std::make_unique<GraphSession>(id, config_, start, targets_(id, start), on_correction_);
+void BackEnd::startSession(SessionId id, Stamp start, const KnownMapPtr& prior) {
+  SessionTarget target = targets_(id, start);
+  target.prior = prior;
+  auto session = std::make_unique<GraphSession>(id, config_, start, target, on_correction_);
   session_ = session.get();
   sessions_[id] = std::move(session);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "revisit_slam/slam/map_correction.h"
+#include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
 namespace {
@@ -109,6 +110,10 @@ bool GraphSession::disable(LoopId id) {
   if (!graph_.disable(id)) return false;
   optimise(*last_optimised_, {}, 0, id);
   return true;
+}
+
+bool GraphSession::isPlaced() const {
+  return scans_before_ == 0 || SessionGroups(graph_.loops()).of(id_) != id_;
 }
 
 void GraphSession::reconfigure(const BackEndConfig& config) {

@@ -6,12 +6,15 @@
 #include <memory>
 #include <utility>
 
+#include "revisit_slam/slam/map_correction.h"
+
 namespace revisit_slam {
 
-LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs)
+LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs,
+                         const std::shared_ptr<SubmapLibrary>& library)
     : is_held_(config.gnss.isConnected() ||
                (config.gravity.enabled && !config.priors.imu_topic.empty())),
-      detector_(config.loops, config.retroactive, config.information),
+      detector_(config.loops, config.retroactive, config.information, library),
       outputs_(std::move(outputs)) {}
 
 void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
@@ -19,19 +22,14 @@ void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig&
 }
 
 void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
-  auto known = std::make_shared<MapCorrection>();
   for (const KnownMap* map : maps) {
     for (std::size_t i = 0; i < map->maps.size(); ++i)
       detector_.addSearched(map->maps[i], map->places[i]);
-    const std::vector<Pose>& T_map_scan = map->session.graph.T_map_scan;
-    known->T_map_scan.insert(known->T_map_scan.end(), T_map_scan.begin(), T_map_scan.end());
-    known->loops.insert(known->loops.end(), map->loops.begin(), map->loops.end());
-    known->session = map->nodes.back().id.session;
     is_held_ |= std::any_of(map->nodes.begin(), map->nodes.end(), [](const GraphNode& node) {
       return node.gravity || !node.fixes.empty();
     });
   }
-  detector_.correct(known);
+  detector_.correct(std::make_shared<const MapCorrection>(correctionOf(maps)));
 }
 
 void LoopClosing::searchAcrossSessions(LocalMapId map, SessionId first) {

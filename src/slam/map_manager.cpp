@@ -18,6 +18,7 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
   thinned->sensor_base = scan.sensor_base;
   thinned->voxel_size = scan.voxel_size;
   thinned->verdict = scan.verdict;
+  thinned->goes_on_from = scan.goes_on_from;
   return thinned;
 }
 
@@ -29,17 +30,19 @@ double deviationOf(const InformedScan& informed) {
   return std::sqrt(informed.covariance_motion.topLeftCorner<3, 3>().trace());
 }
 
+std::size_t bytesOf(int megabytes) {
+  return static_cast<std::size_t>(megabytes) * 1'000'000;
+}
+
 }  // namespace
 
-MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs,
-                       KnownMapPtr prior)
+MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
     : mapping_(config.mapping),
       occupancy_(config.occupancy),
       largest_voxel_size_(config.odometry.map.voxel_size),
       building_(building),
       searching_(searching),
       outputs_(std::move(outputs)),
-      prior_(std::move(prior)),
       arena_(config.background.threads),
       config_(config) {}
 
@@ -65,9 +68,9 @@ void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double d
       unsure_ = {};
       position_odom_ = scan.T_odom_base.translation;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
-      searching_.post([this, session = session_] {
-        newest_ = session;
-        outputs_.session(session);
+      library_ = std::make_shared<SubmapLibrary>(bytesOf(mapping_.cache_mb));
+      searching_.post([this, session = session_, prior = scan.goes_on_from, library = library_] {
+        begin(session, prior, library);
       });
       break;
     case ScanOrder::next:
@@ -104,6 +107,8 @@ void MapManager::closeSession(std::uint32_t request, std::uint32_t scans) {
 
 void MapManager::hand(MapUpdate update) {
   if (!update.submap) return;
+  library_->add(update.submap, update.occupancy);
+  update.library = library_;
   const auto maps = std::make_shared<const MapUpdate>(std::move(update));
   outputs_.maps(maps);
   if (!maps->local_map) return;
@@ -130,12 +135,19 @@ void MapManager::giveUpWaiting() {
   });
 }
 
+void MapManager::begin(SessionId session, const KnownMapPtr& prior,
+                       const std::shared_ptr<SubmapLibrary>& library) {
+  newest_ = session;
+  LoopClosing& closing =
+      closing_.try_emplace(session, config_, outputs_.loops, library).first->second;
+  if (prior) arena_.execute([&] { closing.goOnFrom({prior.get()}); });
+  outputs_.session(session, prior);
+}
+
 void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&)>& work) {
   searching_.post([this, session, work] {
-    const auto [entry, begins] = closing_.try_emplace(session, config_, outputs_.loops);
-    if (begins && prior_ && session == nextSession(prior_->session.info))
-      entry->second.goOnFrom({prior_.get()});
-    arena_.execute([&, &closing = entry->second] { work(closing); });
+    LoopClosing& closing = closing_.try_emplace(session, config_, outputs_.loops).first->second;
+    arena_.execute([&] { work(closing); });
     tidyUp();
   });
 }

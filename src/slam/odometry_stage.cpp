@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/slam/odometry_stage.h"
 
+#include <algorithm>
 #include <exception>
 #include <sstream>
 #include <utility>
@@ -34,12 +35,13 @@ void putFirst(const std::string& text, std::string& notice) {
 
 }  // namespace
 
-OdometryStage::OdometryStage(const SlamConfig& config, SessionId first)
+OdometryStage::OdometryStage(const SlamConfig& config, SessionId first, KnownMapPtr prior)
     : config_(config.odometry),
       priors_config_(config.priors),
       rest_interval_(config.mapping.rest_interval),
       with_information_(config.information.enabled),
-      session_(first),
+      session_(prior ? nextSession(prior->session.info) : first),
+      prior_(std::move(prior)),
       information_(config.information),
       arena_(config.odometry.threads),
       assembler_(config.input),
@@ -194,6 +196,7 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   const std::string tilt = tilt_check_.take(*aligned.scan);
   if (!tilt.empty()) putFirst(tilt, result.notice);
   nameScan(*aligned.scan);
+  aligned.scan->goes_on_from = std::exchange(prior_, nullptr);
   result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
   return result;
 }
@@ -242,9 +245,11 @@ std::map<std::string, PriorAccount> OdometryStage::sensorAccounts() const {
   return accounts;
 }
 
-void OdometryStage::startSession() {
+void OdometryStage::startSession(KnownMapPtr prior) {
   waiting_.clear();
   beginSession();
+  prior_ = std::move(prior);
+  if (prior_) session_ = std::max(session_, nextSession(prior_->session.info));
   assembler_.restart();
   merger_.restart();
   said_sweep_form_.clear();
@@ -254,6 +259,7 @@ void OdometryStage::startSession() {
 
 void OdometryStage::beginSession() {
   ++session_.value;
+  prior_.reset();
   priors_.restart();
   gnss_.restart();
   gravity_.restart();

@@ -63,8 +63,22 @@ void SessionLog::writePrior(SessionWriter& writer) const {
 }
 
 void SessionLog::keep(const MapUpdatePtr& update) {
-  submaps_.push_back(update->submap);
-  occupancies_.push_back(update->occupancy);
+  if (update->library)
+    library_ = update->library;
+  else
+    library_->add(update->submap, update->occupancy);
+  submaps_.push_back(library_->light(update->submap->id));
+}
+
+SubmapOccupancyPtr SessionLog::occupancy(const Submap& submap) const {
+  if (SubmapOccupancyPtr in_memory = library_->occupancyInMemory(submap.id)) return in_memory;
+  if (!writer_) return nullptr;
+  try {
+    return readSubmap(submapFile(target_.folder, submap.id, info_.id), {SubmapRecord::occupancy})
+        .occupancy;
+  } catch (const std::runtime_error&) {
+    return nullptr;
+  }
 }
 
 void SessionLog::add(const MapUpdatePtr& update) {
@@ -157,24 +171,32 @@ void SessionLog::careForWriter() {
   writer_ = std::move(anew);
 }
 
-/// As finely as there is something: where its file is gone, the points of a submap alone.
+/// As finely as there is something: where its file is gone, the points of a submap alone; null
+/// where these are not in memory either.
 MapUpdatePtr SessionLog::stored(std::size_t submap, const SessionWriter* lost) const {
   const SubmapId id = submaps_[submap]->id;
   if (const SessionWriter* source = lost ? lost : writer_.get()) {
     const auto unwritten = source->unwritten().find(id);
-    if (unwritten != source->unwritten().end()) return unwritten->second;
+    if (unwritten != source->unwritten().end()) {
+      if (lost) return unwritten->second;
+      auto copy = std::make_shared<MapUpdate>(*unwritten->second);
+      copy->library = nullptr;  // it is told of the session's own folder alone
+      return copy;
+    }
   }
-  auto update = std::make_shared<MapUpdate>();
-  update->submap = submaps_[submap];
-  update->occupancy = occupancies_[submap];
-  update->detail_submap = submaps_[submap]->points;
   try {
     if (writer_)
-      update->detail_submap =
-          readSubmap(submapFile(target_.folder, id, info_.id), {SubmapRecord::detail})
-              .detail_submap;
+      return std::make_shared<const MapUpdate>(
+          readSubmap(submapFile(target_.folder, id, info_.id),
+                     {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals,
+                      SubmapRecord::detail, SubmapRecord::occupancy}));
   } catch (const std::runtime_error&) {
   }
+  auto update = std::make_shared<MapUpdate>();
+  update->submap = library_->inMemory(id);
+  if (!update->submap) return nullptr;
+  update->occupancy = library_->occupancyInMemory(id);
+  update->detail_submap = update->submap->points;
   return update;
 }
 

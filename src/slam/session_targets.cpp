@@ -45,15 +45,6 @@ SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor) {
   };
 }
 
-SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets) {
-  if (!prior) return targets;
-  return [prior = std::move(prior), targets = std::move(targets)](SessionId id, Stamp start) {
-    SessionTarget target = targets(id, start);
-    if (id == nextSession(prior->session.info)) target.prior = prior;
-    return target;
-  };
-}
-
 void requireWritable(const LiveConfig& live) {
   if (live.folder.empty()) return;
   std::error_code error;

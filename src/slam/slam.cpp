@@ -11,7 +11,7 @@ Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
     : observer_(observer),
       executor_(executor),
       with_maps_(config.mapping.enabled),
-      odometry_(config, prior ? nextSession(prior->session.info) : SessionId{}),
+      odometry_(config, {}, prior),
       information_(config.information),
       back_end_(
           config,
@@ -19,8 +19,8 @@ Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
             if (correction->version > 0) observer_.onCorrection(correction);
             maps_.correct(correction);
           },
-          goingOnFrom(prior, targets ? std::move(targets) : liveTargets(config.live))),
-      maps_(config, foreground_, executor.background(), outputsOfMaps(), prior) {}
+          std::move(targets)),
+      maps_(config, foreground_, executor.background(), outputsOfMaps()) {}
 
 /// What waits in the background speaks to the stages. After finish() there is nothing.
 Slam::~Slam() {
@@ -34,7 +34,7 @@ MapManager::Outputs Slam::outputsOfMaps() {
     observer_.onMaps(*maps);
     executor_.background().post([this, maps] { back_end_.add(maps); });
   };
-  outputs.session = [](SessionId) {};
+  outputs.session = [](SessionId, const KnownMapPtr&) {};
   outputs.loops.search = [this](const LoopSearchResult& result) { observer_.onLoopSearch(result); };
   outputs.loops.closures = [this](const LoopClosures& closures) {
     executor_.background().post([this, closures] { back_end_.add(closures); });
@@ -74,7 +74,9 @@ void Slam::insert(const InformedScan& informed) {
   if (!with_maps_) return;
   has_scans_ = true;
   // First the node: the maps of the session before may end with this scan.
-  executor_.background().post([this, node = nodeOf(informed)] { back_end_.add(node); });
+  executor_.background().post([this, node = nodeOf(informed), prior = informed.scan->goes_on_from] {
+    back_end_.add(node, prior);
+  });
   maps_.insert(informed);
 }
 

@@ -58,11 +58,12 @@ class SessionMergeTest : public testing::Test {
     const SessionTargets targets = [&](SessionId, Stamp) {
       return SessionTarget{driven.folder, "simulated", nullptr, false};
     };
-    Slam slam(SlamConfig{}, recorder, executor, targets, prior);
+    Slam slam(SlamConfig{}, recorder, executor, targets);
     for (std::size_t i = 0; i < scans; ++i) {
       InformedScan informed = drive.scans[i];
       auto scan = std::make_shared<RegisteredScan>(*informed.scan);
       if (prior) scan->id.session = nextSession(prior->session.info);
+      if (i == 0) scan->goes_on_from = prior;
       informed.scan = std::move(scan);
       slam.insert(informed);
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
 #include <revisit_slam/DisableLoop.h>
+#include <revisit_slam/LoadMap.h>
 #include <revisit_slam/SaveMap.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -11,6 +12,8 @@
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "revisit_slam/ros/node/stage_topics.h"
@@ -18,14 +21,15 @@
 
 namespace revisit_slam {
 
-/// All nodelets in this process, in a namespace of their own, and what passes between them.
+/// All nodelets of one mode in this process, in a namespace of their own, and what passes between
+/// them.
 class LiveSlam {
  public:
   using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
 
   explicit LiveSlam(const std::string& name, const std::string& folder = "")
       : space_("/" + name + "/"), node_(space_), listener_(space_) {
-    for (const char* nodelet : {"odometry", "information", "map_manager", "back_end"}) {
+    for (const char* nodelet : kNodelets) {
       set(nodelet, "frames/base", std::string());  // the sensor's own
       set(nodelet, "live/diagnostics_period", 0.2);
       set(nodelet, "live/queue_size", 10000);
@@ -50,12 +54,29 @@ class LiveSlam {
     ros::param::set(space_ + nodelet + "/" + name, value);
   }
 
-  /// In an order in which scans would be lost if nobody waited.
+  /// The same on every nodelet, as slam.launch has it.
+  template <typename T>
+  void setAll(const std::string& name, const T& value) {
+    for (const char* nodelet : kNodelets) set(nodelet, name, value);
+  }
+
+  /// Those that map, in an order in which scans would be lost if nobody waited.
   void load() {
-    for (const auto& [name, type] : {std::pair{"odometry", "Odometry"},
-                                     {"information", "Information"},
-                                     {"map_manager", "MapManager"},
-                                     {"back_end", "BackEnd"}})
+    load({{"odometry", "Odometry"},
+          {"information", "Information"},
+          {"map_manager", "MapManager"},
+          {"back_end", "BackEnd"}});
+  }
+  /// Those that localize in a map.
+  void loadLocalization(const std::string& map) {
+    setAll("localization/map", map);
+    setAll("mapping/enabled", false);
+    load({{"localization", "Localization"},
+          {"information", "Information"},
+          {"odometry", "Odometry"}});
+  }
+  void load(const std::vector<std::pair<std::string, std::string>>& nodelets) {
+    for (const auto& [name, type] : nodelets)
       ASSERT_TRUE(loader_.load(space_ + name, std::string("revisit_slam/") + type, {}, {}));
     ASSERT_TRUE(
         becomesTrue([this] { return listener_.isConnected() && points_.getNumSubscribers() > 0; }));
@@ -83,6 +104,12 @@ class LiveSlam {
     return call<std_srvs::Trigger>(name).response;
   }
 
+  LoadMap::Response loadMap(const std::string& nodelet, const std::string& map) {
+    LoadMap service;
+    service.request.map = map;
+    return call(nodelet + "/load", service).response;
+  }
+
   SaveMap::Response save(const std::string& folder) {
     SaveMap service;
     service.request.folder = folder;
@@ -106,6 +133,9 @@ class LiveSlam {
   std::vector<boost::shared_ptr<const MapCorrection>> corrections;
 
  private:
+  static constexpr const char* kNodelets[] = {"odometry", "information", "map_manager", "back_end",
+                                              "localization"};
+
   template <typename T>
   void subscribe(const std::string& topic, std::vector<boost::shared_ptr<const T>>& kept) {
     subscribers_.push_back(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "revisit_slam/loops/search/loop_search_result.h"
 #include "revisit_slam/loops/search/loops_config.h"
 #include "revisit_slam/loops/search/retroactive_search.h"
+#include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/types/map_correction.h"
 #include "revisit_slam/types/scan_poses.h"
 #include "revisit_slam/types/session_groups.h"
@@ -25,8 +27,9 @@ namespace revisit_slam {
 /// depends on the order of calls alone. All its work runs in the current TBB arena.
 class LoopDetector {
  public:
+  /// `library`: where the points of its submaps are; null: they stay with the local maps.
   LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& retroactive,
-               const InformationConfig& information);
+               const InformationConfig& information, std::shared_ptr<SubmapLibrary> library = {});
 
   /// Takes effect with the next search. What accepts a loop may change while a drive goes on,
   /// pictures and registration may not.
@@ -62,11 +65,13 @@ class LoopDetector {
   bool hasClosedLoops() const { return !closed_.empty(); }
   /// Whether the graph has taken a loop of the newest map.
   bool newestIsClosed() const;
+  /// Without the points that are in the library.
   const std::vector<LocalMapPtr>& maps() const { return maps_; }
 
  private:
   void add(const LocalMapPtr& map);
-  const LocalMapPtr& mapOf(LocalMapId id) const { return maps_.at(order_[id]); }
+  LocalMapPtr withoutPoints(const LocalMapPtr& map) const;
+  LocalMapPtr mapOf(LocalMapId id) const;
   ScanPoses placeScans() const;
   PriorOf priorsOf(const ScanPoses& T_map_scan) const;
   void closeMatches(const LocalMap& source, LoopSearchResult& result);
@@ -88,6 +93,7 @@ class LoopDetector {
   RetroactiveSearch retroactive_;
   SessionJoining joining_;
 
+  std::shared_ptr<SubmapLibrary> library_;
   std::vector<LocalMapPtr> maps_;          // of each session by number, session after session
   SessionOffsets<LocalMapId> order_;       // of maps_
   SessionOffsets<ScanId> scans_;           // of maps_

@@ -8,6 +8,7 @@
 
 #include "revisit_slam/mapping/map_hierarchy.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/occupancy/occupancy_builder.h"
 #include "revisit_slam/types/informed_scan.h"
 
@@ -20,6 +21,8 @@ struct MapUpdate {
   Points detail_submap;
   SubmapOccupancyPtr occupancy;  ///< of the submap; null where occupancy is switched off
   LocalMapPtr local_map;
+  /// That the submap is in, and is told when it is on disk; null: none.
+  std::shared_ptr<SubmapLibrary> library = nullptr;
 };
 
 using MapUpdatePtr = std::shared_ptr<const MapUpdate>;

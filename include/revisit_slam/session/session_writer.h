@@ -40,7 +40,8 @@ class SessionWriter {
   SessionWriter(SessionTarget target, SessionInfo info, int niceness);
   ~SessionWriter();
 
-  /// A submap that was closed, and the scans since the one before.
+  /// A submap that was closed, and the scans since the one before. `update` null: nothing is left
+  /// of it but what the log tells.
   void add(std::vector<GraphNode> scans, const SubmapClosed& closed, const MapUpdatePtr& update);
   void add(const StoredLocalMap& map);
   void add(LogEntry entry);

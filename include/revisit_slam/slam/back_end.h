@@ -26,8 +26,9 @@ class BackEnd {
 
   /// The first scan of another session begins its graph. Scans whose predecessors were missed are
   /// of no use, those of a base that rests add nothing. @return where the scan stands
-  ScanOrder add(const InformedScan& scan) { return add(nodeOf(scan)); }
-  ScanOrder add(const GraphNode& node);
+  ScanOrder add(const InformedScan& scan) { return add(nodeOf(scan), scan.scan->goes_on_from); }
+  /// `prior`: RegisteredScan::goes_on_from.
+  ScanOrder add(const GraphNode& node, const KnownMapPtr& prior = {});
   void add(const MapUpdatePtr& update);
   void add(const LoopClosures& closures);
 
@@ -45,7 +46,7 @@ class BackEnd {
   const GraphSession* session() const { return session_; }
 
  private:
-  void startSession(SessionId id, Stamp start);
+  void startSession(SessionId id, Stamp start, const KnownMapPtr& prior);
   void forgetEnded();
   GraphSession* find(SessionId id) const;
 

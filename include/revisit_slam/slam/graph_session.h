@@ -74,9 +74,21 @@ class GraphSession {
 
   const SlamGraph& graph() const { return graph_; }
   const OptimisationCount& count() const { return count_; }
+  /// By number; without points.
   const std::vector<SubmapPtr>& submaps() const { return log_.submaps(); }
-  /// By number; null where occupancy is switched off.
-  const std::vector<SubmapOccupancyPtr>& occupancies() const { return log_.occupancies(); }
+  /// With points. @throws std::runtime_error where they cannot be read.
+  SubmapPtr whole(const Submap& submap) const { return log_.whole(submap); }
+  /// Null where occupancy is switched off, or cannot be read.
+  SubmapOccupancyPtr occupancy(const Submap& submap) const { return log_.occupancy(submap); }
+  /// What the session goes on from; null: nothing.
+  const KnownMapPtr& prior() const { return log_.prior(); }
+  /// Whether it is known where the session lies in the map: it goes on from none, or loops tie it
+  /// to the one that it goes on from.
+  bool isPlaced() const;
+  /// Whether this scan of the session is in the graph.
+  bool has(ScanId scan) const { return scans_before_ + scan.value < graph_.size(); }
+  /// How many scans of sessions that were mapped before are in the graph, the first ones.
+  std::size_t scansBefore() const { return scans_before_; }
   /// Empty: nothing is written unless asked for.
   const std::string& folder() const { return log_.folder(); }
   /// Why something waits to be written; empty: nothing does.

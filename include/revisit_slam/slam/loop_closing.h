@@ -32,7 +32,9 @@ class LoopClosing {
     std::function<void(const std::string&)> problem;  ///< a search that threw; the next one follows
   };
 
-  LoopClosing(const SlamConfig& config, Outputs outputs);
+  /// `library`: LoopDetector.
+  LoopClosing(const SlamConfig& config, Outputs outputs,
+              const std::shared_ptr<SubmapLibrary>& library = {});
 
   void reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive);
 

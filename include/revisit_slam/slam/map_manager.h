@@ -31,14 +31,14 @@ class MapManager {
  public:
   struct Outputs {
     std::function<void(const MapUpdatePtr&)> maps;  ///< in the lane that builds
-    std::function<void(SessionId)> session;  ///< another one begins; in the lane that searches
-    LoopClosing::Outputs loops;              ///< in the lane that searches
+    /// Another session begins, going on from `prior`, null: from nothing; in the lane that
+    /// searches.
+    std::function<void(SessionId, const KnownMapPtr& prior)> session;
+    LoopClosing::Outputs loops;  ///< in the lane that searches
   };
 
   /// The lanes must outlive this, or end before it does.
-  /// `prior`: what the session nextSession(prior) goes on from; null: nothing.
-  MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs,
-             KnownMapPtr prior = {});
+  MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs);
 
   // In any thread, always the same order.
 
@@ -65,6 +65,8 @@ class MapManager {
   SubmapStart startWith(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
   void hand(MapUpdate update);
   void closeSession(std::uint32_t request, std::uint32_t scans);
+  void begin(SessionId session, const KnownMapPtr& prior,
+             const std::shared_ptr<SubmapLibrary>& library);
   void inLane(SessionId session, const std::function<void(LoopClosing&)>& work);
   void tidyUp();
 
@@ -73,13 +75,13 @@ class MapManager {
   const double largest_voxel_size_;  // m, of the odometry
   Lane &building_, &searching_;
   const Outputs outputs_;
-  const KnownMapPtr prior_;
   MapManagerCount count_;
 
   // In the lane that builds.
   SessionOrder order_;
   SessionId session_;
-  std::unique_ptr<MapBuilder> builder_;  // null before the first scan
+  std::unique_ptr<MapBuilder> builder_;     // null before the first scan
+  std::shared_ptr<SubmapLibrary> library_;  // of the session
   UnsureDistance unsure_;
   Eigen::Vector3d position_odom_ = Eigen::Vector3d::Zero();  // of the scan before
 

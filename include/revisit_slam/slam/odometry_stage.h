@@ -17,6 +17,7 @@
 #include "revisit_slam/priors/gnss_track.h"
 #include "revisit_slam/priors/gravity_track.h"
 #include "revisit_slam/priors/motion_priors.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/slam/rest_detector.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/slam/stamp_gate.h"
@@ -41,8 +42,9 @@ struct OdometryOutput {
 /// predicted with depends on stamps, not on who comes first. Positions of GNSS go with later scans.
 class OdometryStage {
  public:
-  /// Sessions count from `first`.
-  explicit OdometryStage(const SlamConfig& config, SessionId first = {});
+  /// Sessions count from `first`. Where the first one goes on from a map, its number follows those
+  /// of the map.
+  explicit OdometryStage(const SlamConfig& config, SessionId first = {}, KnownMapPtr prior = {});
 
   struct Result {
     OdometryOutput output;  ///< without scan where the reading was dropped
@@ -64,8 +66,8 @@ class OdometryStage {
   void countDroppedMotion(const std::string& sensor, const std::string& reason);
 
   /// The next scan is the first of another session, in an odometry frame of its own; the account
-  /// begins anew.
-  void startSession();
+  /// begins anew. `prior`: the map that the session goes on from; null: none.
+  void startSession(KnownMapPtr prior = {});
 
   void reconfigure(const OdometryConfig& config);
 
@@ -104,6 +106,7 @@ class OdometryStage {
   const double rest_interval_;
   const bool with_information_;
   SessionId session_;
+  KnownMapPtr prior_;  // that the session goes on from; null as soon as a scan has told of it
   InformationEstimator information_;
   tbb::task_arena arena_;
   SweepAssembler assembler_;

@@ -23,7 +23,7 @@ class SessionLog {
   SessionLog(SessionId id, const SlamConfig& config, Stamp start, const SessionTarget& target,
              const SlamGraph& graph);
 
-  /// A submap; its occupancy and points are kept from now on.
+  /// A submap; the update's library keeps its occupancy and points from now on.
   void keep(const MapUpdatePtr& update);
 
   // In order, when the scans that they speak of are in the graph.
@@ -50,6 +50,7 @@ class SessionLog {
   /// The session as it is now, for exports; its submaps are those in the folder.
   Session snapshot() const;
 
+  const KnownMapPtr& prior() const { return target_.prior; }
   /// Empty: nothing is written unless asked for.
   const std::string& folder() const { return target_.folder; }
   const std::string& sensor() const { return target_.sensor; }
@@ -59,9 +60,12 @@ class SessionLog {
   /// Whether every scan is in a submap that is closed.
   bool isWhole() const { return logged_scans_ == graph_.size(); }
 
+  /// By number; without points.
   const std::vector<SubmapPtr>& submaps() const { return submaps_; }
-  /// By number; null where occupancy is switched off.
-  const std::vector<SubmapOccupancyPtr>& occupancies() const { return occupancies_; }
+  /// With points. @throws std::runtime_error where they cannot be read.
+  SubmapPtr whole(const Submap& submap) const { return library_->whole(submap.id); }
+  /// Null where occupancy is switched off, or cannot be read.
+  SubmapOccupancyPtr occupancy(const Submap& submap) const;
 
  private:
   GraphOptimised optimised(std::vector<LoopConstraint> new_loops) const;
@@ -81,8 +85,8 @@ class SessionLog {
   const std::size_t scans_before_;           // of sessions that were mapped before
   std::vector<SubmapClosed> closed_before_;  // by these
 
-  std::vector<SubmapPtr> submaps_;  // by number
-  std::vector<SubmapOccupancyPtr> occupancies_;
+  std::shared_ptr<SubmapLibrary> library_ = std::make_shared<SubmapLibrary>(0);
+  std::vector<SubmapPtr> submaps_;    // by number
   std::vector<SubmapClosed> closed_;  // those of submaps_ whose scans are all there
   std::size_t logged_scans_;          // of the graph that are written
   std::vector<StoredLocalMap> local_maps_;

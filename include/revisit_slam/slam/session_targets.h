@@ -4,7 +4,6 @@
 #include <functional>
 #include <string>
 
-#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/slam/slam_config.h"
 
@@ -15,9 +14,6 @@ using SessionTargets = std::function<SessionTarget(SessionId, Stamp start)>;
 
 /// A new folder for each session in live/folder, named by its first scan; nowhere without one.
 SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor = "");
-
-/// The same, but that the next session after those of `prior` goes on from them; null: none does.
-SessionTargets goingOnFrom(KnownMapPtr prior, SessionTargets targets);
 
 /// Makes live/folder, if it is set, and tries it out, so that nobody drives in vain.
 /// @throws ParameterError naming the folder and why nothing can be written there.

@@ -48,7 +48,7 @@ struct FramesConfig {
 struct LiveConfig {
   int queue_size = 100;
   double diagnostics_period = 1.0;
-  std::string folder, save_root;
+  std::string folder, save_root, map;
   bool broadcast_map = true;
   bool broadcast_odom = true;
   double transform_rate = 20.0;
@@ -70,6 +70,9 @@ struct LiveConfig {
     v("save_root", save_root, Choices{}, "",
       "folder below which the service save may write; empty: anywhere that the process may. Set it "
       "where others can call services");
+    v("map", map, Choices{}, "",
+      "folder of the session whose map the first drive goes on from; empty: a new map. Read by the "
+      "odometry");
     v("broadcast_map", broadcast_map,
       "true: the transform from map to odometry frame is broadcast; false: another node has to do "
       "so");

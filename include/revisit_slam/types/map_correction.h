@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,8 +21,10 @@ struct MapCorrection {
   std::uint32_t version = 0;
   /// The loop closures that it answers (LoopClosures::request); 0: it was asked for otherwise.
   std::uint32_t request = 0;
-  /// Poses by ScanId, as far as the optimised graph went.
+  /// Session after session, by ScanId, as far as the optimised graph went.
   std::vector<Pose> T_map_scan;
+  /// Where the scans of each session begin among those.
+  std::map<SessionId, std::size_t> begin;
   /// Places every scan after those: T_map_scan = T_map_odom * T_odom_scan.
   Pose T_map_odom;
   /// All loop constraints so far, by LoopId.

@@ -18,6 +18,8 @@
 
 namespace revisit_slam {
 
+struct KnownMap;
+
 /// Points that one of several sensors saw, and follow one another.
 struct PointsView {
   Eigen::Vector3d sensor_base;
@@ -50,6 +52,8 @@ struct RegisteredScan {
   bool deskewed = false;
   std::vector<GnssFix> fixes;               ///< that are due with it, of scans before
   std::optional<GravityDirection> gravity;  ///< that is due with it, of a scan before
+  /// Of the first scan of a session: the map that the session goes on from; else null.
+  std::shared_ptr<const KnownMap> goes_on_from;
 };
 
 using RegisteredScanPtr = std::shared_ptr<const RegisteredScan>;

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxPoses = 2'000;
 
 GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame,
                            double min_inlier_weight, std::function<void()> on_subscriber)
-    : frame_(frame), min_inlier_weight_(min_inlier_weight) {
+    : frame_(frame), min_inlier_weight_(min_inlier_weight), extension_(node, frame, on_subscriber) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =
       [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
@@ -29,21 +29,29 @@ GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame,
   cloud_ = node.advertise<Cloud>("map_cloud", 1, connected, none, untracked, latch);
 }
 
-void GraphDisplay::draw(const SlamGraph& graph, const std::vector<SubmapPtr>& submaps) const {
-  drawPath(graph);
+void GraphDisplay::draw(const GraphSession& session) {
+  const SlamGraph& graph = session.graph();
+  extension_.draw(session);
+  drawPath(session);
   if (edges_.getNumSubscribers() > 0)
     edges_.publish(toLoopEdges(graph, min_inlier_weight_, frame_));
   if (cloud_.getNumSubscribers() > 0) {
+    std::vector<SubmapPtr> whole;
     std::vector<CloudPart> parts;
-    for (const SubmapPtr& submap : submaps)
-      if (submap->first_scan.value < graph.size())
-        parts.push_back({&submap->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    for (const SubmapPtr& submap : session.submaps()) {
+      if (!session.has(submap->first_scan) || !session.isPlaced()) continue;
+      whole.push_back(session.whole(*submap));
+      parts.push_back({&whole.back()->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    }
     cloud_.publish(toColouredCloud(parts, frame_, kMaxPoints));
   }
 }
 
-void GraphDisplay::drawPath(const SlamGraph& graph) const {
-  if (path_.getNumSubscribers() > 0) path_.publish(toPath(graph, frame_, kMaxPoses));
+void GraphDisplay::drawPath(const GraphSession& session) const {
+  if (path_.getNumSubscribers() == 0) return;
+  const SlamGraph& graph = session.graph();
+  const std::size_t first = session.isPlaced() ? session.scansBefore() : graph.size();
+  path_.publish(toPath(graph, first, frame_, kMaxPoses));
 }
 
 }  // namespace revisit_slam

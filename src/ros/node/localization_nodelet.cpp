@@ -3,7 +3,9 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
+#include <future>
 #include <stdexcept>
+#include <utility>
 
 #include "revisit_slam/ros/messages/coloured_cloud.h"
 #include "revisit_slam/ros/messages/display.h"
@@ -23,20 +25,17 @@ LocalizationNodelet::~LocalizationNodelet() {
   transform_timer_.stop();
   scan_subscriber_.shutdown();
   start_subscriber_.shutdown();
+  if (loader_) loader_->stop();
   map_publisher_.shutdown();
   if (lane_) lane_->stop();
 }
 
 void LocalizationNodelet::start() {
-  std::vector<std::string> notices;
   try {
-    stage_ = std::make_unique<LocalizationStage>(config_, notices);
+    stage_ = readMap(config_.localization.map);
   } catch (const std::runtime_error& error) {
     throw ParameterError("localization/map = '" + config_.localization.map + "': " + error.what());
   }
-  for (const std::string& notice : notices) NODELET_WARN("%s", notice.c_str());
-  NODELET_INFO("localizing in '%s': %zu submaps, %zu places", config_.localization.map.c_str(),
-               stage_->map().submaps.size(), stage_->map().places.size());
   broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
   lane_ = makeLane(config_.background.niceness);
   ros::NodeHandle& node = getNodeHandle();
@@ -44,6 +43,44 @@ void LocalizationNodelet::start() {
                                           [this](const auto&) { broadcaster_->broadcast(); });
   advertise(node);
   subscribe(node);
+  loader_ = std::make_unique<MapLoader>(
+      getPrivateNodeHandle(), config_.live.folder,
+      [this](const std::string& folder, LoadMap::Response& response) { load(folder, response); });
+}
+
+std::unique_ptr<LocalizationStage> LocalizationNodelet::readMap(const std::string& folder) const {
+  SlamConfig config = config_;
+  if (folder != config.localization.map) config.localization.start.clear();
+  config.localization.map = folder;
+  std::vector<std::string> notices;
+  auto stage = std::make_unique<LocalizationStage>(config, notices);
+  for (const std::string& notice : notices) NODELET_WARN("%s", notice.c_str());
+  NODELET_INFO("localizing in '%s': %zu submaps, %zu places", folder.c_str(),
+               stage->map().submaps.size(), stage->map().places.size());
+  return stage;
+}
+
+/// In the thread of the service. It answers when the map is in use.
+void LocalizationNodelet::load(const std::string& folder, LoadMap::Response& response) {
+  std::unique_ptr<LocalizationStage> stage = readMap(folder);
+  response.submaps = static_cast<std::uint32_t>(stage->map().submaps.size());
+  response.places = static_cast<std::uint32_t>(stage->map().places.size());
+  std::packaged_task<void()> task([&] { change(std::move(stage)); });
+  lane_->post([&task] { task(); });
+  task.get_future().get();
+  response.message = "searching in it";
+}
+
+void LocalizationNodelet::change(std::unique_ptr<LocalizationStage> stage) {
+  stage_ = std::move(stage);
+  broadcaster_->forget();
+  Localization anew;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = anew;
+  }
+  status_publisher_.publish(toStatus(anew, config_.frames.map));
+  drawMap();
 }
 
 void LocalizationNodelet::advertise(ros::NodeHandle& node) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "revisit_slam/ros/messages/pose_conversions.h"
+#include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
 
@@ -15,7 +16,9 @@ MapBroadcaster::MapBroadcaster(const FramesConfig& frames, const LiveConfig& liv
 
 void MapBroadcaster::onScan(const RegisteredScan& scan) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  takeLocked(scan, scan.id.session == session_ ? T_map_odom_ : Pose::identity());
+  const bool anew = scan.id.session != session_;
+  if (anew) is_placed_ = scan.goes_on_from == nullptr;
+  takeLocked(scan, anew ? Pose::identity() : T_map_odom_);
 }
 
 void MapBroadcaster::place(const RegisteredScan& scan, const Pose& T_map_odom) {
@@ -39,11 +42,20 @@ void MapBroadcaster::takeLocked(const RegisteredScan& scan, const Pose& T_map_od
   if (moves) broadcastLocked(true);
 }
 
-void MapBroadcaster::correct(SessionId session, const Pose& T_map_odom) {
+void MapBroadcaster::correct(const MapCorrection& correction) {
+  const SessionId session = correction.session;
+  const bool is_tied = SessionGroups(correction.loops).of(session) != session;
+  const bool is_alone = correction.begin.size() <= 1;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (session != session_) return;
-  T_map_odom_ = T_map_odom;
+  is_placed_ = is_alone || is_tied;
+  T_map_odom_ = correction.T_map_odom;
   broadcastLocked(true);
+}
+
+void MapBroadcaster::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  session_.reset();
 }
 
 void MapBroadcaster::broadcast() {
@@ -52,7 +64,7 @@ void MapBroadcaster::broadcast() {
 }
 
 void MapBroadcaster::broadcastLocked(bool at_once) {
-  if (!session_ || !live_.broadcast_map) return;
+  if (!session_ || !is_placed_ || !live_.broadcast_map) return;
   Pose T_map_odom = T_map_odom_;
   if (robot_odometry_) {
     const std::optional<Pose> T_own_robot = robot_odometry_->placed();

@@ -51,7 +51,7 @@ void OccupancyDisplay::draw(const GraphSession& session) {
   const bool cells = cells_.getNumSubscribers() > 0, voxels = voxels_.getNumSubscribers() > 0;
   const bool grid = grid_.getNumSubscribers() > 0, octomap = octomap_.getNumSubscribers() > 0;
   const bool wanted = config_.enabled && (cells || voxels || grid || octomap);
-  if (!wanted || session.graph().size() == 0) return;
+  if (!wanted || session.graph().size() == 0 || !session.isPlaced()) return;
   place(session);
   const Stamp stamp = session.graph().nodes().back().stamp;
   if (cells) cells_.publish(toPointCloud(occupiedCentres(map_), stamp, frame_));
@@ -66,11 +66,10 @@ void OccupancyDisplay::draw(const GraphSession& session) {
 }
 
 void OccupancyDisplay::place(const GraphSession& session) {
-  for (std::size_t i = 0; i < session.submaps().size(); ++i) {
-    const Submap& submap = *session.submaps()[i];
-    const SubmapOccupancyPtr& occupancy = session.occupancies()[i];
-    if (occupancy && submap.first_scan.value < session.graph().size())
-      map_.place(submap.id, occupancy, session.graph().pose(submap.first_scan));
+  for (const SubmapPtr& submap : session.submaps()) {
+    if (!session.has(submap->first_scan)) continue;
+    if (const SubmapOccupancyPtr occupancy = session.occupancy(*submap))
+      map_.place(submap->id, occupancy, session.graph().pose(submap->first_scan));
   }
   map_.compose();
 }

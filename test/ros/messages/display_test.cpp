@@ -155,13 +155,13 @@ TEST(DensityMessage, emptyImageStaysEmpty) {
 
 TEST(Path, isThinnedAndKeepsBothEnds) {
   const SlamGraph graph = straightDrive(1000);
-  const nav_msgs::Path path = toPath(graph, "map", 100);
+  const nav_msgs::Path path = toPath(graph, 0, "map", 100);
   EXPECT_LE(path.poses.size(), 101u);
   EXPECT_GE(path.poses.size(), 80u);
   EXPECT_EQ(path.poses.front().pose.position.x, 0.0);
   EXPECT_EQ(path.poses.back().pose.position.x, 9990.0);
-  EXPECT_EQ(toPath(straightDrive(5), "map", 100).poses.size(), 5u);
-  EXPECT_TRUE(toPath(straightDrive(0), "map", 100).poses.empty());
+  EXPECT_EQ(toPath(straightDrive(5), 0, "map", 100).poses.size(), 5u);
+  EXPECT_TRUE(toPath(straightDrive(0), 0, "map", 100).poses.empty());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace revisit_slam {
 /// What a search for loops has found.
 struct LoopSearchResult {
   LoopOrigin origin = LoopOrigin::appearance;
-  LocalMapPtr map;                      ///< the newest
+  LocalMapPtr map;                      ///< the newest; by appearance: with its points
   std::vector<LoopProposal> proposals;  ///< pairs of submaps registered, with their outcome
   StageTimes times;
 

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "revisit_slam/ros/node/map_broadcaster.h"
+#include "revisit_slam/ros/node/map_loader.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/slam/localization_stage.h"
 
@@ -24,9 +25,12 @@ class LocalizationNodelet : public SlamNodelet {
   void advertise(ros::NodeHandle& node);
   void subscribe(ros::NodeHandle& node);
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override;
+  std::unique_ptr<LocalizationStage> readMap(const std::string& folder) const;
+  void load(const std::string& folder, LoadMap::Response& response);
 
   // In the lane.
   void add(const InformedScan& informed);
+  void change(std::unique_ptr<LocalizationStage> stage);
   void publish(const Localization& now);
   void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
   void drawMap() const;
@@ -39,6 +43,7 @@ class LocalizationNodelet : public SlamNodelet {
   Localization last_;
 
   std::unique_ptr<ThreadLane> lane_;
+  std::unique_ptr<MapLoader> loader_;
   ros::Publisher status_publisher_, pose_publisher_, map_publisher_, target_publisher_;
   ros::Subscriber scan_subscriber_, start_subscriber_;
   ros::WallTimer transform_timer_;

@@ -11,6 +11,7 @@
 #include "revisit_slam/ros/node/robot_odometry.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/ids.h"
+#include "revisit_slam/types/map_correction.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/registered_scan.h"
 #include "revisit_slam/types/stamp.h"
@@ -25,12 +26,15 @@ class MapBroadcaster {
  public:
   MapBroadcaster(const FramesConfig& frames, const LiveConfig& live);
 
-  /// A scan has come. One of another session puts the odometry frame back to the map's origin.
+  /// A scan has come. One of another session puts the odometry frame back to the map's origin;
+  /// where it goes on from a map nobody knows where that is, and nothing is broadcast until it is.
   void onScan(const RegisteredScan& scan);
   /// The same, where it is known with the scan where the odometry frame is.
   void place(const RegisteredScan& scan, const Pose& T_map_odom);
   /// Broadcasts a correction at once, unless it is of another session.
-  void correct(SessionId session, const Pose& T_map_odom);
+  void correct(const MapCorrection& correction);
+  /// Nothing is known any longer, until a scan comes.
+  void forget();
   /// Nothing before the first scan, nor twice for the same time.
   void broadcast();
 
@@ -44,6 +48,7 @@ class MapBroadcaster {
 
   std::mutex mutex_;  // guards what follows
   std::optional<SessionId> session_;
+  bool is_placed_ = true;                          // it is known where the session lies in the map
   Pose T_map_odom_;                                // of our own odometry
   std::unique_ptr<RobotOdometry> robot_odometry_;  // null: there is only our own
   Stamp newest_scan_;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/ros/node/extension_display.h"
+
+#include <ros/console.h>
+
+#include "revisit_slam/ros/messages/coloured_cloud.h"
+#include "revisit_slam/ros/messages/display.h"
+#include "revisit_slam/ros/messages/localization_messages.h"
+
+namespace revisit_slam {
+namespace {
+
+constexpr std::size_t kMaxPoints = 2'000'000;
+
+/// Where the newest scan is in the map, as the graph has it.
+Localization stateOf(const GraphSession& session) {
+  Localization now;
+  const SlamGraph& graph = session.graph();
+  if (!session.isPlaced() || graph.nodes().empty()) {
+    now.reason = "no loop ties the drive to the map yet";
+    return now;
+  }
+  const GraphNode& newest = graph.nodes().back();
+  now.scan = newest.id;
+  now.stamp = newest.stamp;
+  now.state = LocalizationState::localized;
+  now.T_map_odom = graph.T_map_odom();
+  now.T_map_base = graph.pose(newest.id);
+  for (const LoopEdge& edge : graph.loops())
+    if (edge.state == LoopState::active && edge.loop.target.session != session.id())
+      now.target = edge.loop.target;
+  return now;
+}
+
+}  // namespace
+
+ExtensionDisplay::ExtensionDisplay(ros::NodeHandle& node, const std::string& frame,
+                                   const std::function<void()>& on_subscriber)
+    : frame_(frame) {
+  const bool latch = true;
+  const ros::SubscriberStatusCallback connected =
+      [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
+  const ros::SubscriberStatusCallback none;
+  map_ = node.advertise<sensor_msgs::PointCloud2>("prior_map", 1, connected, none,
+                                                  ros::VoidConstPtr(), latch);
+  status_ = node.advertise<LocalizationStatus>("localization", 10, latch);
+}
+
+void ExtensionDisplay::draw(const GraphSession& session) {
+  const bool goes_on = session.prior() != nullptr;
+  if (map_.getNumSubscribers() > 0) drawMap(session);
+  if (!goes_on && !told_) return;
+  const Localization now = stateOf(session);
+  if (told_of_ == session.id() && told_ == now.state) return;
+  told_of_ = session.id();
+  told_ = now.state;
+  if (!goes_on) return;
+  status_.publish(toStatus(now, frame_));
+  if (now.state == LocalizationState::localized)
+    ROS_INFO("the drive was found in the map that it goes on from");
+}
+
+/// A map that is no longer gone on from is taken away.
+void ExtensionDisplay::drawMap(const GraphSession& session) const {
+  std::vector<CloudPart> parts;
+  if (const KnownMapPtr& prior = session.prior())
+    for (const LocalMapPtr& map : prior->maps)
+      for (const SubmapPtr& submap : map->submaps)
+        parts.push_back(
+            {&submap->points, session.graph().pose(submap->first_scan), colour(0.5, 0.5, 0.5)});
+  map_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+}
+
+}  // namespace revisit_slam
