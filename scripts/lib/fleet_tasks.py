@@ -169,7 +169,7 @@ def map_recording(site: Site, recording: Recording) -> Record:
         context.run("fleet_step", ["summarise", out, "--name", recording.name, "--out", summary])
         run_file = json.loads((out / "run.json").read_text())
         others = sorted(folder.name for folder in out.glob("session_*"))
-        (out / "lock").unlink()
+        (out / "lock").unlink(missing_ok=True)
         site.store.publish(out, f"sessions/{recording.name}")
         site.store.publish(summary, f"summaries/{recording.name}.rss")
         return {
