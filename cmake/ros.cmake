@@ -51,6 +51,7 @@ revisit_slam_program(offline revisit_slam_ros)
 revisit_slam_program(doctor revisit_slam_ros)
 revisit_slam_program(export revisit_slam_core)
 revisit_slam_program(merge revisit_slam_core)
+revisit_slam_program(fleet_step revisit_slam_core)
 revisit_slam_program(optimize_graph revisit_slam_ros)
 revisit_slam_program(benchmark_information revisit_slam_ros)
 revisit_slam_program(convert_dataset revisit_slam_ros)
@@ -70,5 +71,5 @@ install(DIRECTORY scripts/lib DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
         FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/report scripts/play_bag scripts/convert_ros2_bag scripts/compare_odometry scripts/compare_places
         scripts/evaluate_pictures
-        scripts/benchmark scripts/ablation scripts/compare_graphs
+        scripts/benchmark scripts/ablation scripts/compare_graphs scripts/fleet
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -75,6 +75,9 @@ add_test(NAME beginner COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/check_beginne
 # Skipped where clang-format or clang-tidy is another version than the one that formats.
 add_test(NAME format COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --format)
 add_test(NAME tidy COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/lint --tidy)
+# Skipped, with the reason, where Dask or the simulator is missing.
+add_test(NAME fleet COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/check_fleet)
+set_tests_properties(fleet PROPERTIES SKIP_RETURN_CODE 77)
 if(REVISIT_SLAM_SIMULATION)
   add_test(NAME soak COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/scripts/soak --minutes 3 --rate 60)
 endif()

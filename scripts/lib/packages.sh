@@ -27,6 +27,9 @@ TEST_PACKAGES=(
   clang-format clang-tidy git
 )
 
+# Of scripts/fleet alone. The tests need them, too.
+FLEET_PACKAGES=(python3-distributed python3-fsspec)
+
 # Of scripts/fuzz alone.
 FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev libomp-14-dev llvm-14)
 

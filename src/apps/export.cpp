@@ -6,6 +6,7 @@
 
 #include "revisit_slam/io/cloud_file.h"
 #include "revisit_slam/io/folder_lock.h"
+#include "revisit_slam/session/keyposes.h"
 #include "revisit_slam/session/map_export.h"
 #include "revisit_slam/session/session_writer.h"
 #include "revisit_slam/util/process_usage.h"
@@ -15,7 +16,7 @@ namespace revisit_slam {
 namespace {
 
 struct Options {
-  std::string session, out;
+  std::string session, out, keyposes;
   std::vector<std::string> formats{"pcd"};
   double resolution = 0.0, tile = 0.0;
   bool no_submaps = false, no_graph = false, no_occupancy = false, force = false, quiet = false;
@@ -34,6 +35,9 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--tile", options.tile, "m, cut the cloud into squares of this edge")
       ->check(CLI::Range(1.0, 1e6));
+  app.add_option("--keyposes", options.keyposes,
+                 "file that says where the submaps are in the map of many sessions (fleet)")
+      ->check(CLI::ExistingFile);
   app.add_flag("--no-submaps", options.no_submaps, "no clouds of single submaps");
   app.add_flag("--no-graph", options.no_graph, "no trajectories, no pose graph, no tables");
   app.add_flag("--no-occupancy", options.no_occupancy, "no OctoMap, no grid");
@@ -68,7 +72,8 @@ int run(const Options& options) {
   const ExportConfig config = configOf(options);
   requireRoom(options);
   std::vector<std::string> notices;
-  const Session session = readSession(options.session, notices);
+  Session session = readSession(options.session, notices);
+  if (!options.keyposes.empty()) moveToKeyposes(readKeyposes(options.keyposes), session);
   constexpr std::size_t steps = 1000;
   Progress progress("exporting", "per mille", steps, options.quiet);
   const bool is_driven = isLocked(options.session);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "loop_bytes.h"
 #include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/io/bytes.h"
 #include "revisit_slam/io/record_file.h"
@@ -32,60 +33,6 @@ enum Type : std::uint32_t {
 template <typename Element>
 void putCount(const std::vector<Element>& elements, ByteWriter& bytes) {
   bytes.put(static_cast<std::uint32_t>(elements.size()));
-}
-
-void put(const LoopConstraint& loop, ByteWriter& bytes) {
-  bytes.put(loop.constraint.from);
-  bytes.put(loop.constraint.to);
-  bytes.put(loop.constraint.T_from_to);
-  bytes.put(loop.constraint.information);
-  bytes.put(loop.target);
-  bytes.put(loop.source);
-  bytes.put(loop.target_map);
-  bytes.put(loop.source_map);
-  bytes.put(static_cast<std::uint8_t>(loop.origin));
-  bytes.put(loop.fitness);
-  bytes.put(static_cast<std::int32_t>(loop.inliers));
-}
-
-template <typename Choice>
-Choice choice(ByteReader& bytes, Choice last) {
-  const auto number = bytes.get<std::uint8_t>();
-  if (number > static_cast<std::uint8_t>(last))
-    throw std::runtime_error("a record has a choice that there is not");
-  return static_cast<Choice>(number);
-}
-
-LoopConstraint getLoop(ByteReader& bytes) {
-  LoopConstraint loop;
-  loop.constraint.from = bytes.id<ScanId>();
-  loop.constraint.to = bytes.id<ScanId>();
-  loop.constraint.T_from_to = bytes.pose();
-  loop.constraint.information = bytes.matrix();
-  loop.target = bytes.id<SubmapId>();
-  loop.source = bytes.id<SubmapId>();
-  loop.target_map = bytes.id<LocalMapId>();
-  loop.source_map = bytes.id<LocalMapId>();
-  loop.origin = choice(bytes, LoopOrigin::retroactive);
-  loop.fitness = bytes.get<double>();
-  loop.inliers = bytes.get<std::int32_t>();
-  return loop;
-}
-
-void put(const GraphOptimised::Decision& decision, ByteWriter& bytes) {
-  bytes.put(static_cast<std::uint8_t>(decision.state));
-  bytes.put(decision.chi2_before);
-  bytes.put(decision.chi2_after);
-  bytes.put(decision.weight);
-}
-
-GraphOptimised::Decision getDecision(ByteReader& bytes) {
-  GraphOptimised::Decision decision{};
-  decision.state = choice(bytes, LoopState::disabled);
-  decision.chi2_before = bytes.get<double>();
-  decision.chi2_after = bytes.get<double>();
-  decision.weight = bytes.get<double>();
-  return decision;
 }
 
 Type put(const SubmapClosed& submap, ByteWriter& bytes) {

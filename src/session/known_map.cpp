@@ -79,15 +79,7 @@ class KnownMapReader {
   }
 
   void readOne(const SubmapClosed& closed) {
-    const MapUpdate update =
-        readSubmap(submapFile(folder(), closed.id, owner()),
-                   {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
-    const Submap& submap = *update.submap;
-    if (submap.points.size() != submap.normals.size() || submap.first_scan != closed.first_scan ||
-        submap.T_submap_scan.size() != closed.last_scan.value - closed.first_scan.value + 1)
-      throw std::runtime_error("submap " + std::to_string(closed.id.value) +
-                               " is not the one that the log tells of");
-    open_->submaps.push_back(map_.numbers(update).submap);
+    open_->submaps.push_back(map_.numbers(readForLoops(map_.session, closed)).submap);
   }
 
   const PlaceRecognitionConfig& recognition_;
@@ -110,6 +102,18 @@ MapUpdate readAll(const Session& session, const SubmapClosed& closed, const Sess
 }
 
 }  // namespace
+
+MapUpdate readForLoops(const Session& session, const SubmapClosed& closed) {
+  MapUpdate update =
+      readSubmap(submapFile(session.folder, closed.id, session.info.id),
+                 {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
+  const Submap& submap = *update.submap;
+  if (submap.points.size() != submap.normals.size() || submap.first_scan != closed.first_scan ||
+      submap.T_submap_scan.size() != closed.last_scan.value - closed.first_scan.value + 1)
+    throw std::runtime_error("submap " + std::to_string(closed.id.value) +
+                             " is not the one that the log tells of");
+  return update;
+}
 
 SessionId nextSession(const SessionInfo& info) {
   SessionId next = info.id;

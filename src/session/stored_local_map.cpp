@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "revisit_slam/io/bytes.h"
-#include "revisit_slam/io/record_file.h"
 
 namespace revisit_slam {
 namespace {
@@ -26,7 +25,7 @@ StoredLocalMap storedLocalMap(const LocalMap& map, const PlaceView* view) {
   return stored;
 }
 
-std::string encodeLocalMap(const StoredLocalMap& map) {
+std::vector<Record> recordsOf(const StoredLocalMap& map) {
   ByteWriter head, place;
   head.put(map.id);
   for (const SubmapId id : map.submaps) head.put(id);
@@ -39,20 +38,25 @@ std::string encodeLocalMap(const StoredLocalMap& map) {
     place.put(keypoint.angle);
     for (const std::uint64_t word : map.features.descriptors[i]) place.put(word);
   }
-  return recordFileHeader(kKind, kVersion) + encodeRecord({kMap, head.bytes()}) +
-         encodeRecord({kPlace, place.bytes()});
+  return {{kMap, head.bytes()}, {kPlace, place.bytes()}};
 }
 
-StoredLocalMap readLocalMap(const std::string& path) {
-  const RecordFile file = readRecordFile(path, kKind, kVersion);
-  if (!file.damage.empty()) throw std::runtime_error(file.damage);
-  StoredLocalMap map;
-  for (const Record& record : file.records) {
+std::string encodeLocalMap(const StoredLocalMap& map) {
+  std::string bytes = recordFileHeader(kKind, kVersion);
+  for (const Record& record : recordsOf(map)) bytes += encodeRecord(record);
+  return bytes;
+}
+
+std::vector<StoredLocalMap> localMapsOf(const std::vector<Record>& records) {
+  std::vector<StoredLocalMap> maps;
+  for (const Record& record : records) {
     ByteReader bytes(record.payload);
     if (record.type == kMap) {
+      StoredLocalMap& map = maps.emplace_back();
       map.id = bytes.id<LocalMapId>();
       while (bytes.left() > 0) map.submaps.push_back(bytes.id<SubmapId>());
-    } else if (record.type == kPlace) {
+    } else if (record.type == kPlace && !maps.empty()) {
+      StoredLocalMap& map = maps.back();
       map.T_level_local = bytes.pose();
       map.pixel = bytes.get<double>();
       while (bytes.left() > 0) {
@@ -63,7 +67,14 @@ StoredLocalMap readLocalMap(const std::string& path) {
       }
     }
   }
-  return map;
+  return maps;
+}
+
+StoredLocalMap readLocalMap(const std::string& path) {
+  const RecordFile file = readRecordFile(path, kKind, kVersion);
+  if (!file.damage.empty()) throw std::runtime_error(file.damage);
+  const std::vector<StoredLocalMap> maps = localMapsOf(file.records);
+  return maps.empty() ? StoredLocalMap{} : maps.front();
 }
 
 }  // namespace revisit_slam

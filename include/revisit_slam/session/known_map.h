@@ -26,6 +26,10 @@ struct KnownMap {
 };
 using KnownMapPtr = std::shared_ptr<const KnownMap>;
 
+/// What loops need of a submap: trajectory, points and normals, with the ids that it has in its
+/// folder. @throws std::runtime_error where its file is damaged, or another one than the log says.
+MapUpdate readForLoops(const Session& session, const SubmapClosed& closed);
+
 /// The number that a session gets that goes on from these.
 SessionId nextSession(const SessionInfo& info);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/io/record_file.h"
 #include "revisit_slam/loops/recognition/place_recognition.h"
 
 namespace revisit_slam {
@@ -20,6 +21,11 @@ struct StoredLocalMap {
 
 /// `view`: null where loops are switched off.
 StoredLocalMap storedLocalMap(const LocalMap& map, const PlaceView* view);
+
+/// The records of a local map's file, of types 1 and 2.
+std::vector<Record> recordsOf(const StoredLocalMap& map);
+/// The local maps that are among records: each begins with one of type 1.
+std::vector<StoredLocalMap> localMapsOf(const std::vector<Record>& records);
 
 /// A local map as bytes of its file, NNNN.rsm.
 std::string encodeLocalMap(const StoredLocalMap& map);

@@ -47,17 +47,26 @@ GraphDrift::GraphDrift(std::vector<SubmapPtr> submaps, const std::vector<LoopEdg
       connect(submaps_[edge.loop.target], submaps_[edge.loop.source], config.base);
 }
 
-/// Dijkstra's algorithm.
 std::vector<double> GraphDrift::from(SubmapId submap) const {
+  return search(submaps_[submap], steps_.size());
+}
+
+double GraphDrift::between(SubmapId a, SubmapId b) const {
+  return search(submaps_[a], submaps_[b])[submaps_[b]];
+}
+
+/// Dijkstra's algorithm; ends when it has come to `until`.
+std::vector<double> GraphDrift::search(std::size_t begin, std::size_t until) const {
   using Entry = std::pair<double, std::size_t>;
   std::vector<double> drift(steps_.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-  open.push({base_, submaps_[submap]});
+  open.push({base_, begin});
   while (!open.empty()) {
     const auto [so_far, index] = open.top();
     open.pop();
     if (so_far >= drift[index]) continue;
     drift[index] = so_far;
+    if (index == until) break;
     for (const Step& step : steps_[index]) open.push({so_far + step.drift, step.to});
   }
   return drift;

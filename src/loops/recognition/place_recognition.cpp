@@ -2,6 +2,7 @@
 #include "revisit_slam/loops/recognition/place_recognition.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "revisit_slam/loops/recognition/ground_alignment.h"
 #include "revisit_slam/loops/recognition/place_alignment.h"
@@ -88,9 +89,17 @@ void PlaceRecognition::add(LocalMapId id, const Pose& T_level_local,
 
 /// Among the first `places`.
 std::vector<PlaceMatch> PlaceRecognition::find(const PlaceView& query, std::size_t places) const {
-  std::vector<std::optional<PlaceMatch>> found(places);
+  std::vector<std::size_t> all(places);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return find(query, all);
+}
+
+std::vector<PlaceMatch> PlaceRecognition::find(const PlaceView& query,
+                                               const std::vector<std::size_t>& among) const {
+  std::vector<std::optional<PlaceMatch>> found(among.size());
   Chunks(found.size(), kMapsAtATime).forEach([&](std::size_t, Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) found[i] = compare(query, places_[i]);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+      found[i] = compare(query, places_.at(among[i]));
   });
   std::vector<PlaceMatch> matches;
   for (const auto& match : found)

@@ -70,13 +70,16 @@ class GraphDrift {
   /// m, standard deviation, from a submap to each of all, in their order; infinite where there is
   /// no way.
   std::vector<double> from(SubmapId submap) const;
-  double between(SubmapId a, SubmapId b) const { return from(a)[submaps_[b]]; }
+  /// From one to the other; looks no farther than that.
+  double between(SubmapId a, SubmapId b) const;
 
  private:
   struct Step {
     std::size_t to;
     double drift;  // m
   };
+
+  std::vector<double> search(std::size_t begin, std::size_t until) const;
 
   double base_;
   SessionOffsets<SubmapId> submaps_;

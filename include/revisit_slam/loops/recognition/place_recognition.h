@@ -48,6 +48,8 @@ class PlaceRecognition {
   void add(LocalMapId id, const Pose& T_level_local, const PlaceFeatures& features);
   /// Of all places so far those on which at least three features of the query agree, best first.
   std::vector<PlaceMatch> find(const PlaceView& query) const { return find(query, places_.size()); }
+  /// Of these alone, by the order in which they were added.
+  std::vector<PlaceMatch> find(const PlaceView& query, const std::vector<std::size_t>& among) const;
 
   /// Whether enough features agree.
   bool isRecognised(const PlaceMatch& match) const { return match.inliers > config_.min_inliers; }
