@@ -67,7 +67,7 @@ struct MappingConfig {
       "largest number of scans that may wait live to be mapped; the points of further ones are "
       "left out of the maps, and counted. Raise it if points are left out and memory is free "
       "(about 1 MB a scan); lower it if memory is short");
-    v("cache_mb", cache_mb, Range{1, 1000000}, "MB",
+    v("cache_mb", cache_mb, Range{1, 100000}, "MB",
       "memory for closed submaps that are on disk; those that were not used for the longest time "
       "are read back from the folder of the session when they are needed. Results do not depend on "
       "it. Raise it if searches for loops or rviz read the disk much; lower it if memory is short");

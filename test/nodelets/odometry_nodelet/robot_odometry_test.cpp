@@ -41,7 +41,9 @@ TEST(RobotOdometry, TheBaseIsInTheMapWhereTheSlamHasIt) {
   tf2_ros::TransformBroadcaster robot;
   const Pose T_map_ours{expSO3({0.0, 0.0, -0.2}), {0.3, 0.4, 0.0}};
   broadcaster.onScan(scanAt(1.0));
-  broadcaster.correct({}, T_map_ours);
+  MapCorrection correction;
+  correction.T_map_odom = T_map_ours;
+  broadcaster.correct(correction);
   EXPECT_FALSE(buffer.canTransform("map_of_test", "robot", ros::Time(0)));  // not known yet
 
   const auto isPlaced = [&] {
