@@ -88,6 +88,7 @@ Localization Localizer::add(const InformedScan& informed) {
 
 /// Another session has an odometry frame of its own; the base has gone on from where it was.
 void Localizer::beginSession(const InformedScan& informed) {
+  const bool is_first = !has_scans_;
   const bool was_known = has_scans_ && now_.state != LocalizationState::searching;
   const Pose T_map_base = now_.T_map_odom * T_odom_base_;
   recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length);
@@ -99,6 +100,7 @@ void Localizer::beginSession(const InformedScan& informed) {
   attempted_at_ = -config_.localization.interval;  // at once
   has_scans_ = true;
   T_odom_base_ = informed.scan->T_odom_base;
+  if (is_first && start_) now_.T_map_odom = *(start_ = *start_ * T_odom_base_.inverse());
   if (was_known) {
     now_.state = LocalizationState::lost;
     now_.T_map_odom = T_map_base * T_odom_base_.inverse();

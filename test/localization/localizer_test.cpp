@@ -47,6 +47,23 @@ TEST_F(LocalizerTest, FromAPoseThatWasDrawnItKnowsAtOnceAndFollows) {
   }
 }
 
+/// As where the map is loaded while the base drives.
+TEST_F(LocalizerTest, AStartBeforeTheFirstScanHoldsWhereverTheOdometryIs) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  const Pose T_new_odom{expSO3({0.0, 0.0, 0.7}), {300.0, -40.0, 0.0}};
+  const std::vector<Pose> way = this->way(20);
+  std::vector<InformedScan> scans = scansAlong(way);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    auto scan = std::make_shared<RegisteredScan>(*scans[i].scan);
+    scan->T_odom_base = T_new_odom * scan->T_odom_base;
+    scans[i].scan = std::move(scan);
+    const Localization now = localizer.add(scans[i]);
+    EXPECT_LT(errorAt(now, way[i]), 0.1) << i;
+    EXPECT_EQ(now.state, i < kStands ? LocalizationState::candidate : LocalizationState::localized);
+  }
+}
+
 TEST_F(LocalizerTest, TheStartMayBeAParameter) {
   config_.localization.start = "110.5 1 0";
   Localizer localizer(config_, streetMap());
