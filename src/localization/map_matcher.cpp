@@ -53,7 +53,8 @@ MapMatcher::MapMatcher(PriorMapPtr map, LoopCloserConfig closer,
     : map_(std::move(map)),
       config_(acrossDrives(std::move(closer), min_overlap)),
       coarse_to_fine_(config_, information),
-      fine_(withoutCoarseLevels(config_), information) {}
+      fine_(withoutCoarseLevels(config_), information),
+      tracking_(withoutCoarseLevels(config_), information) {}
 
 std::vector<PlacedSubmap> MapMatcher::near(const Eigen::Vector3d& position) const {
   std::vector<PlacedSubmap> near;
@@ -91,12 +92,21 @@ MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
   return match;
 }
 
-MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double travelled) const {
-  MapMatch match = this->match(fine_, open, T_map_open);
+/// Rivals that the odometry rules out are not looked for: that takes as long as the registration.
+MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double travelled) {
+  LoopCloserConfig config = withoutCoarseLevels(config_);
+  config.max_translation = std::min(config.max_translation, config_.consistency.reach(travelled));
+  tracking_.reconfigure(config);
+  return follow(tracking_, open, T_map_open, travelled);
+}
+
+MapMatch MapMatcher::follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
+                            double travelled) const {
+  MapMatch match = this->match(closer, open, T_map_open);
   const PairwiseConsistencyConfig& limits = config_.consistency;
   const Moved moved(T_map_open, match.T_map_open);
-  if (match.accepted && !moved.isWithin(limits.translation + limits.translation_drift * travelled,
-                                        limits.rotation + limits.rotation_drift * travelled))
+  if (match.accepted &&
+      !moved.isWithin(limits.reach(travelled), limits.rotation + limits.rotation_drift * travelled))
     reject("the registration contradicts the odometry", match);
   return match;
 }
@@ -104,7 +114,7 @@ MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double
 MapMatch MapMatcher::relocate(const SubmapPtr& open, const Pose& T_map_open) const {
   const MapMatch first = match(coarse_to_fine_, open, T_map_open);
   if (!first.registered) return first;
-  MapMatch match = track(open, first.T_map_open, 0.0);
+  MapMatch match = follow(fine_, open, first.T_map_open, 0.0);
   if (match.accepted &&
       !Moved(T_map_open, match.T_map_open).isWithin(config_.max_translation, config_.max_rotation))
     reject("the registration left the guess", match);

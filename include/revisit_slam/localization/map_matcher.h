@@ -32,18 +32,21 @@ class MapMatcher {
 
   /// From where the odometry has carried the last fix, `travelled` m ago: the registration may
   /// differ by no more than two loops of the same maps may (PairwiseConsistencyConfig).
-  MapMatch track(const SubmapPtr& open, const Pose& T_map_open, double travelled) const;
+  MapMatch track(const SubmapPtr& open, const Pose& T_map_open, double travelled);
   /// From a guess that is off by metres: where a registration from it ends is the guess of a second
   /// one, which has to stay there.
   MapMatch relocate(const SubmapPtr& open, const Pose& T_map_open) const;
 
  private:
+  MapMatch follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
+                  double travelled) const;
   MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open) const;
   std::vector<PlacedSubmap> near(const Eigen::Vector3d& position) const;
 
   PriorMapPtr map_;
   LoopCloserConfig config_;
-  LoopCloser coarse_to_fine_, fine_;  // from guesses that are off by metres, and by decimetres
+  // From guesses that are off by metres and by decimetres, and from where the odometry has carried.
+  LoopCloser coarse_to_fine_, fine_, tracking_;
 };
 
 }  // namespace revisit_slam

@@ -93,7 +93,8 @@ std::vector<LoopProposal> LoopCloser::close(const std::vector<PlacedSubmap>& sou
                           verdicts[i], pairs[i].hausdorff, pairs[i].overlap, registered[i]};
     Constraint& constraint = proposal.loop.constraint;
     if (proposal.verdict.isAccepted())
-      constraint.information = information_.estimate(source, target, constraint.T_from_to);
+      constraint.information =
+          information_.estimate(source, registered[i].target, constraint.T_from_to);
     proposals.push_back(std::move(proposal));
   }
   return proposals;

@@ -59,13 +59,22 @@ LoopInformation::LoopInformation(const InformationConfig& information,
       enabled_(information.enabled),
       estimator_(withAllPoints(information)) {}
 
-Matrix6 LoopInformation::estimate(const Submap& source, const Submap& target,
+const LocalVoxelMap& LoopInformation::prepared(const SubmapPtr& target, double scale) const {
+  if (last_ && last_->submap == target && last_->scale == scale) return last_->map;
+  const FineRegistrationConfig config = config_.scaled(scale);
+  LocalVoxelMap map({config.information_distance, kPointsPerVoxel}, false);
+  map.insert(surfaces(*target, config.fitness_distance), Pose::identity());
+  last_ = std::make_shared<const Target>(Target{target, scale, std::move(map)});
+  return last_->map;
+}
+
+Matrix6 LoopInformation::estimate(const Submap& source, const SubmapPtr& target,
                                   const Pose& T_target_source) const {
   if (!enabled_) return Matrix6::Identity();
-  const FineRegistrationConfig config = config_.scaled(std::max(source.scale, target.scale));
+  const double scale = std::max(source.scale, target->scale);
+  const FineRegistrationConfig config = config_.scaled(scale);
   const double tau = config.information_distance;
-  LocalVoxelMap map({tau, kPointsPerVoxel}, false);
-  map.insert(surfaces(target, config.fitness_distance), Pose::identity());
+  const LocalVoxelMap& map = prepared(target, scale);
   Points thinned;
   VoxelFilter().filter(source.points, config.information_voxel_size, thinned);
   const Points points = matched(thinned, map, T_target_source, tau);

@@ -14,7 +14,7 @@ Matrix6 informationIn(SyntheticStreet first, SyntheticStreet second, double yaw)
   const Submap target = submapOf(first, poses);
   for (Pose& T : poses) T = T * poseAt(0, 0.3, yaw);
   const Submap source = submapOf(second, poses);
-  return LoopInformation({}, {}).estimate(source, target,
+  return LoopInformation({}, {}).estimate(source, std::make_shared<const Submap>(target),
                                           target.T_odom_submap.inverse() * source.T_odom_submap);
 }
 
@@ -38,7 +38,7 @@ TEST(LoopInformation, IsInTheFrameOfTheSource) {
 TEST(LoopInformation, IsTheIdentityWhenSwitchedOff) {
   InformationConfig config;
   config.enabled = false;
-  EXPECT_EQ(LoopInformation(config, {}).estimate({}, {}, {}), Matrix6(Matrix6::Identity()));
+  EXPECT_EQ(LoopInformation(config, {}).estimate({}, nullptr, {}), Matrix6(Matrix6::Identity()));
 }
 
 }  // namespace

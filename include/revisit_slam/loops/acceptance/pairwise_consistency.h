@@ -38,6 +38,8 @@ struct PairwiseConsistencyConfig {
   }
 
   /// For submaps whose places do not drift, as the graph placed them.
+  /// m, after a way of `travelled` m.
+  double reach(double travelled) const { return translation + translation_drift * travelled; }
   PairwiseConsistencyConfig withoutDrift() const { return {translation, 0.0, rotation, 0.0}; }
 };
 
