@@ -52,7 +52,9 @@ int main(int argc, char** argv) try {
   Stamp stamp = Stamp::fromSeconds(1.7e9);
   for (const auto& file : files) {
     ScanReading reading;
-    reading.scan = Scan{stamp, readPoints(file), {}, {}};  // no point times: not deskewed
+    reading.scan.emplace();
+    reading.scan->stamp = stamp;
+    reading.scan->points = readPoints(file);  // without times: not deskewed
     slam.insert(std::move(reading));
     stamp = stamp.plusSeconds(0.1);
   }

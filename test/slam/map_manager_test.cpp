@@ -35,7 +35,9 @@ class MapManagerTest : public testing::Test {
   MapManager::Outputs outputs() {
     MapManager::Outputs outputs;
     outputs.maps = [this](const MapUpdatePtr& maps) { maps_.push_back(maps); };
-    outputs.session = [this](SessionId session) { sessions_.push_back(session); };
+    outputs.session = [this](SessionId session, const KnownMapPtr&) {
+      sessions_.push_back(session);
+    };
     outputs.loops.search = [this](const LoopSearchResult& search) { searches_.push_back(search); };
     outputs.loops.closures = [this](const LoopClosures& closures) {
       closures_.push_back(closures);
