@@ -12,7 +12,8 @@ namespace {
 /// while the base drives 1 m towards it.
 Scan sweepTowardsAPoint(std::size_t index) {
   const auto x = static_cast<float>(index);
-  return {stampOf(index), {{21.0f - x, 0, 0}, {20.0f - x, 0, 0}}, {-0.1f, 0.0f}, Pose::identity()};
+  return {
+      stampOf(index), {{21.0f - x, 0, 0}, {20.0f - x, 0, 0}}, {-0.1f, 0.0f}, Pose::identity(), {}};
 }
 
 TEST(PointsAlong, TakeOutTheMotionThatTheEstimateHas) {

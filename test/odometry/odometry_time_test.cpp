@@ -10,7 +10,7 @@ namespace {
 
 /// Too few points to be registered: its pose is the prediction.
 Scan unregisteredScan(std::int64_t nanoseconds) {
-  return {{nanoseconds}, Points(5, {1, 1, 1}), {}, {}};
+  return {{nanoseconds}, Points(5, {1, 1, 1}), {}, {}, {}};
 }
 
 TEST(Odometry, PredictsForTheTimeThatPassedUpToTheLongestPrediction) {

@@ -33,12 +33,12 @@ Names outcomes(LoopOrigin origin, const std::vector<RegisteredPair>& pairs,
 }
 
 TEST(AcceptancePolicy, ListsTheGatesOfEachOriginInOrder) {
-  const Names common{"correspondences", "convergence", "fitness", "coherence",
-                     "translation",     "rotation",    "drift",   "ambiguity"};
-  Names appearance = common, retroactive = common;
-  for (const char* name : {"lone rotation", "consistency"}) appearance.emplace_back(name);
-  for (const char* name : {"lone coherence", "lone translation", "lone rotation", "consistency"})
-    retroactive.emplace_back(name);
+  const Names appearance{"correspondences", "convergence", "fitness", "coherence",
+                         "translation",     "rotation",    "drift",   "ambiguity",
+                         "lone rotation",   "consistency"};
+  const Names retroactive{"correspondences", "convergence",      "fitness",       "coherence",
+                          "translation",     "rotation",         "drift",         "ambiguity",
+                          "lone coherence",  "lone translation", "lone rotation", "consistency"};
   EXPECT_EQ(namesOf(acceptancePolicy(LoopOrigin::appearance, {})), appearance);
   EXPECT_EQ(namesOf(acceptancePolicy(LoopOrigin::retroactive, {})), retroactive);
   EXPECT_EQ(gateNames(), retroactive);
