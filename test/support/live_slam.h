@@ -35,6 +35,7 @@ class LiveSlam {
       set(nodelet, "live/queue_size", 10000);
       set(nodelet, "live/folder", folder);
       set(nodelet, "information/max_waiting", 10000);
+      set(nodelet, "mapping/max_waiting", 10000);
     }
     points_ = node_.advertise<sensor_msgs::PointCloud2>("points", 1000);
     subscribers_.push_back(node_.subscribe<InformedScan>(
