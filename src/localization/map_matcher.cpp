@@ -112,7 +112,7 @@ MapMatch MapMatcher::follow(const LoopCloser& closer, const SubmapPtr& open, con
 }
 
 MapMatch MapMatcher::relocate(const SubmapPtr& open, const Pose& T_map_open) const {
-  const MapMatch first = match(coarse_to_fine_, open, T_map_open);
+  MapMatch first = match(coarse_to_fine_, open, T_map_open);
   if (!first.registered) return first;
   MapMatch match = follow(fine_, open, first.T_map_open, 0.0);
   if (match.accepted &&

@@ -90,10 +90,9 @@ SubmapPtr SubmapLibrary::whole(SubmapId id) {
                              " is not the one that was written");
   whole->points = std::move(stored.points);
   whole->normals = std::move(stored.normals);
-  const SubmapPtr result = whole;
-  entry.whole = result;
+  entry.whole = whole;
   use(id, entry);
-  return result;
+  return whole;
 }
 
 SubmapPtr SubmapLibrary::inMemory(SubmapId id) const {

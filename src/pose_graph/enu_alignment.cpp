@@ -109,6 +109,7 @@ std::optional<EnuAlignment> alignToEnu(const std::vector<PositionPair>& pairs,
   EnuAlignment aligned{*start, 0.0};
   for (int i = 0; i < kRefinements; ++i) {
     std::vector<double> weights;
+    weights.reserve(pairs.size());
     for (const PositionPair& pair : pairs)
       weights.push_back(1.0 /
                         (1.0 + chi2Of(pair, aligned.T_map_enu) / (kernel_scale * kernel_scale)));

@@ -90,6 +90,7 @@ class CandidateSearch {
     for (const auto& matches : found)
       for (const PlaceMatch& match : matches) pairs[{match.source, match.target}] = match;
     std::vector<PlaceMatch> all;
+    all.reserve(pairs.size());
     for (const auto& pair : pairs) all.push_back(pair.second);
     return all;
   }
