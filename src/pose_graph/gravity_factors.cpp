@@ -24,6 +24,7 @@ constexpr double kAnyTilt = 3.0;  // rad
 }  // namespace
 
 void GravityFactors::add(std::size_t node, const GravityDirection& direction, std::size_t first) {
+  if (!config_.enabled) return;
   const NodeId first_node{static_cast<std::uint32_t>(first)};
   const NodeId scan{first_node.value + direction.scan.value};
   if (scan != first_node) directions_.push_back({node, first_node, scan, direction.up_base});

@@ -11,7 +11,7 @@ namespace {
 constexpr double kGravity = 9.81;             // m/s^2
 constexpr double kLargestError = 0.5;         // m/s^2: gravity itself varies by 0.03, biases by 0.2
 constexpr double kLongestGap = 0.5;           // s, between scans over which is interpolated
-constexpr double kFewestReadings = 5.0;       // a second
+constexpr double kLongestSilence = 0.25;      // s, of the unit within a window
 constexpr std::size_t kMostWaiting = 30'000;  // half a minute of a fast unit: scans have stopped
 
 }  // namespace
@@ -64,29 +64,35 @@ std::size_t GravityTrack::middleScan() const {
   return static_cast<std::size_t>(middle - scans_.begin());
 }
 
-/// int w R_odom_base f dt, by the trapezoidal rule on the readings themselves.
+/// int w R_odom_base f dt, by readings that come at an even rate. Nothing where some are missing.
 std::optional<Eigen::Vector3d> GravityTrack::meanForce(std::size_t middle) const {
-  const double rise = secondsBetween(scans_.front().stamp, scans_[middle].stamp);
-  const double fall = secondsBetween(scans_[middle].stamp, scans_.back().stamp);
+  const Stamp begin = scans_.front().stamp, end = scans_.back().stamp;
+  const double rise = secondsBetween(begin, scans_[middle].stamp);
+  const double fall = secondsBetween(scans_[middle].stamp, end);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double weights = 0.0;
-  std::size_t used = 0, to = 1;
+  Stamp before = begin;
   for (const ImuReading& reading : readings_) {
-    const double since = secondsBetween(scans_.front().stamp, reading.stamp);
-    if (since < 0.0) continue;
-    if (since > rise + fall) break;
-    while (to + 1 < scans_.size() && scans_[to].stamp < reading.stamp) ++to;
-    const Placed &a = scans_[to - 1], &b = scans_[to];
-    const double share = secondsBetween(a.stamp, reading.stamp) / secondsBetween(a.stamp, b.stamp);
-    const Eigen::Quaterniond R_odom_base =
-        a.T_odom_base.rotation.slerp(share, b.T_odom_base.rotation);
+    if (reading.stamp < begin) continue;
+    if (reading.stamp > end) break;
+    if (secondsBetween(before, reading.stamp) > kLongestSilence) return std::nullopt;
+    before = reading.stamp;
+    const double since = secondsBetween(begin, reading.stamp);
     const double weight = since < rise ? since / rise : (rise + fall - since) / fall;
-    sum += weight * (R_odom_base * *reading.acceleration);
+    sum += weight * (orientationAt(reading.stamp) * *reading.acceleration);
     weights += weight;
-    ++used;
   }
-  if (static_cast<double>(used) < kFewestReadings * (rise + fall)) return std::nullopt;
+  if (secondsBetween(before, end) > kLongestSilence) return std::nullopt;
   return Eigen::Vector3d(sum / weights);
+}
+
+/// R_odom_base between two scans of the window.
+Eigen::Quaterniond GravityTrack::orientationAt(Stamp stamp) const {
+  const auto to = std::lower_bound(std::next(scans_.begin()), std::prev(scans_.end()), stamp,
+                                   [](const Placed& scan, Stamp at) { return scan.stamp < at; });
+  const Placed &a = *std::prev(to), &b = *to;
+  const double share = secondsBetween(a.stamp, stamp) / secondsBetween(a.stamp, b.stamp);
+  return a.T_odom_base.rotation.slerp(share, b.T_odom_base.rotation);
 }
 
 /// Of the unit, the mean with the weights w.

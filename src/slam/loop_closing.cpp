@@ -12,8 +12,8 @@ namespace revisit_slam {
 
 LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs,
                          const std::shared_ptr<SubmapLibrary>& library)
-    : is_held_(config.gnss.isConnected() ||
-               (config.gravity.enabled && !config.priors.imu_topic.empty())),
+    : with_measurements_(config.gnss.isConnected() ||
+                         (config.gravity.enabled && !config.priors.imu_topic.empty())),
       detector_(config.loops, config.retroactive, config.information, library),
       outputs_(std::move(outputs)) {}
 
@@ -25,9 +25,9 @@ void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
   for (const KnownMap* map : maps) {
     for (std::size_t i = 0; i < map->maps.size(); ++i)
       detector_.addSearched(map->maps[i], map->places[i]);
-    is_held_ |= std::any_of(map->nodes.begin(), map->nodes.end(), [](const GraphNode& node) {
-      return node.gravity || !node.fixes.empty();
-    });
+    with_measurements_ |=
+        std::any_of(map->nodes.begin(), map->nodes.end(),
+                    [](const GraphNode& node) { return node.gravity || !node.fixes.empty(); });
   }
   detector_.correct(std::make_shared<const MapCorrection>(correctionOf(maps)));
 }
@@ -136,7 +136,7 @@ bool LoopClosing::hand(const LoopSearchResult& result, std::function<void()> the
   closures.origin = result.origin;
   closures.constraints = result.accepted();
   closures.view = result.view;
-  const bool has_answer = !closures.constraints.empty() || is_held_;
+  const bool has_answer = !closures.constraints.empty() || with_measurements_;
   if (has_answer) {
     closures.request = ++requests_;
     awaited_ = {closures.request, std::move(then)};

@@ -96,6 +96,19 @@ TEST(GravityFactors, FindTheBiasOfTheAccelerometer) {
   EXPECT_GT(bendOf(solved(drive, unbiased)), 0.004);
 }
 
+/// As of a session that was mapped with them, and is merged without.
+TEST(GravityFactors, DirectionsDoNotCountWhereTheyAreSwitchedOff) {
+  GravityConfig off;
+  off.enabled = false;
+  SlamGraph graph({}, {}, off);
+  for (const GraphNode& node : nodesOf({})) graph.add(node);
+  EXPECT_FALSE(graph.hasNewMeasurements(ScanId{kNodes - 1}));
+  const PoseGraph plain = graph.graph();
+  ASSERT_EQ(plain.factors().size(), kNodes - 1u);
+  const auto& edge = std::get<RelativePoseFactor>(plain.factors()[0].measurement);
+  EXPECT_EQ(edge.information, graph.nodes()[1].information);  // no drift beside it
+}
+
 TEST(GravityFactors, ShocksBendNothing) {
   Drive drive;
   drive.shock_from = 200;

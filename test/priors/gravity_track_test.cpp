@@ -85,6 +85,17 @@ TEST(GravityTrack, HasNoneWhereReadingsAreMissing) {
   EXPECT_EQ(result.account.dropped.at("accelerations are missing"), 2u);
 }
 
+/// The mean of what is left would be that of another motion.
+TEST(GravityTrack, HasNoneWhereTheUnitFellOutForAMoment) {
+  GravityTrack track({});
+  for (int i = 0; i <= 400; ++i)
+    if (i < 150 || i > 200) track.take(readingAt(0.01 * i));
+  for (int scan = 0; scan <= 40; ++scan)
+    EXPECT_FALSE(track.observe(ScanId{static_cast<std::uint32_t>(scan)},
+                               Stamp::fromSeconds(100.0 + 0.1 * scan), poseAt(0.1 * scan)));
+  EXPECT_EQ(track.account().dropped.at("accelerations are missing"), 1u);
+}
+
 TEST(GravityTrack, HasNoneOfAUnitThatMeasuresSomethingElse) {
   GravityTrack track({});
   for (int i = 0; i <= 400; ++i) {

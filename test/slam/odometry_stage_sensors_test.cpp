@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GNSS, and several LiDARs.
+// GNSS, gravity, and several LiDARs.
 #include <gtest/gtest.h>
 
 #include "revisit_slam/slam/odometry_stage.h"
@@ -54,6 +54,41 @@ TEST(OdometryStageWithGnss, PositionsGoWithALaterScanAndScansDoNotWaitForThem) {
   EXPECT_EQ(stage.sensorAccounts().at("gnss").used, 1u);
   stage.countDroppedMotion("gnss", "no fix");
   EXPECT_EQ(stage.sensorAccounts().at("gnss").dropped.at("no fix"), 1u);
+}
+
+/// A base that stands, tilted.
+TEST(OdometryStageWithGravity, ADirectionGoesWithTheScanThatEndsItsWindow) {
+  SlamConfig config = roomStage();
+  config.priors.imu_topic = "/imu";
+  config.gravity.window = 1.0;
+  config.mapping.rest_interval = 0.0;
+  Scan scan = driveInRoom(1).scans[0];
+  const Eigen::Vector3d up_base = Eigen::Vector3d(0.1, -0.05, 1.0).normalized();
+  OdometryStage stage(config);
+  std::vector<std::uint32_t> tied, carriers;
+  const auto take = [&](const std::vector<OdometryStage::Result>& results) {
+    for (const OdometryStage::Result& result : results) {
+      ASSERT_TRUE(result.output.scan);
+      const auto& gravity = result.output.scan->gravity;
+      if (!gravity) continue;
+      carriers.push_back(result.output.scan->id.value);
+      tied.push_back(gravity->scan.value);
+      EXPECT_LT((gravity->up_base - up_base).norm(), 0.01);
+    }
+  };
+  for (int i = 0; i < 25; ++i) {
+    for (int k = -9; k <= 0; ++k) {  // until the scan's stamp
+      ImuReading reading;
+      reading.stamp = scan.stamp.plusSeconds(0.01 * k);
+      reading.acceleration = 9.81 * up_base;
+      take(stage.takeMotion(reading));
+    }
+    take(stage.process(readingOf(scan)));
+    scan.stamp = scan.stamp.plusSeconds(0.1);
+  }
+  EXPECT_EQ(tied, (std::vector<std::uint32_t>{5, 15}));
+  EXPECT_EQ(carriers, (std::vector<std::uint32_t>{10, 20}));
+  EXPECT_EQ(stage.sensorAccounts().at("gravity").used, 2u);
 }
 
 TEST(OdometryStageWithGnss, WithoutATopicThereIsNoAccount) {

@@ -22,8 +22,8 @@ class GravityFactors {
   /// Whether the pose of a node is in the map of the first one.
   using IsInMap = std::function<bool(NodeId)>;
 
-  /// A direction that takes part in graphs of more than `node` nodes. `first`: the node of the
-  /// first scan of its session.
+  /// A direction that takes part in graphs of more than `node` nodes, if gravity/enabled. `first`:
+  /// the node of the first scan of its session, which gets none itself.
   void add(std::size_t node, const GravityDirection& direction, std::size_t first = 0);
 
   /// Whether a graph of so many nodes has directions that the last solution has not.

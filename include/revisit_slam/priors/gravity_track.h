@@ -50,6 +50,7 @@ class GravityTrack {
 
   std::optional<GravityDirection> endWindow();
   std::optional<Eigen::Vector3d> meanForce(std::size_t middle) const;
+  Eigen::Quaterniond orientationAt(Stamp stamp) const;
   Eigen::Vector3d acceleration(std::size_t middle) const;
   std::size_t middleScan() const;
 

@@ -78,7 +78,7 @@ class LoopClosing {
   void searchToTheEnd(const MapsClosed& closed);
   bool hand(const LoopSearchResult& result, std::function<void()> then);
 
-  bool is_held_;
+  bool with_measurements_;  // of GNSS or gravity: the graph may change without loops, and answers
   LoopDetector detector_;
   const Outputs outputs_;
   std::deque<Work> work_;  // not begun

@@ -129,6 +129,23 @@ TEST(MotionReader, TfOfTheFrameIsAnOdometryAndOtherTfIsNone) {
   EXPECT_NEAR(reading.T_world_base.translation.y(), 2.0, 1e-12);
 }
 
+/// As tf, the predecessor of tf2, wrote them.
+TEST(MotionReader, TfFramesMayHaveALeadingSlash) {
+  PriorsConfig config;
+  config.odometry_frame = "/wheel_odom";
+  for (const char* frame : {"wheel_odom", "/wheel_odom"}) {
+    MotionReader reader(config, {}, findExtrinsics);
+    const auto message = boost::make_shared<tf2_msgs::TFMessage>();
+    message->transforms.resize(1);
+    message->transforms[0].header.stamp = ros::Time(100.5);
+    message->transforms[0].header.frame_id = frame;
+    message->transforms[0].child_frame_id = "base_link";
+    message->transforms[0].transform.rotation.w = 1.0;
+    const auto result = reader.read(tf2_msgs::TFMessage::ConstPtr(message));
+    EXPECT_TRUE(result && result->reading) << frame;
+  }
+}
+
 boost::shared_ptr<sensor_msgs::NavSatFix> position(const std::string& frame) {
   auto message = boost::make_shared<sensor_msgs::NavSatFix>();
   message->header.stamp = ros::Time(100.5);
