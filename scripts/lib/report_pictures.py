@@ -160,7 +160,7 @@ def mark_ends(axes: Axes, positions: np.ndarray, background: str = PAPER) -> Non
     axes.plot(*positions[-1, :2], "s", markersize=5, markerfacecolor=INK, label="end", **edge)
 
 
-def legend_above(axes: Axes) -> None:
+def legend_above(axes: Axes, markerscale: float = 1.0) -> None:
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(
         handles,
@@ -171,6 +171,7 @@ def legend_above(axes: Axes) -> None:
         borderaxespad=0.0,
         handlelength=1.6,
         columnspacing=1.6,
+        markerscale=markerscale,
     )
 
 
@@ -323,16 +324,18 @@ def map_picture(points: np.ndarray, track: np.ndarray) -> Figure:
 
 def revisit_picture(panels: List[Tuple[str, np.ndarray, np.ndarray]]) -> Figure:
     """Each panel: its title, and the points of the first and the second pass."""
-    figure, row = plt.subplots(1, len(panels), figsize=(10, 3.4), constrained_layout=True, squeeze=False)
-    for axes, (title, first, second) in zip(row[0], panels):
+    figure, column = plt.subplots(
+        len(panels), 1, figsize=(10, 2.4 * len(panels)), constrained_layout=True, squeeze=False
+    )
+    for axes, (title, first, second) in zip(column[:, 0], panels):
         for points, colour, name in ((first, BLUE, "first pass"), (second, RUST, "second pass")):
             axes.scatter(*points.T, s=2.2, color=colour, linewidths=0, label=name)
         axes.set_aspect("equal")
         axes.invert_xaxis()  # left is left
-        axes.set_title(title, fontsize=10.5, color=INK)
-        axes.set_xlabel("metres to the left")
-    row[0][0].set_ylabel("height (m)")
-    row[0][0].legend(loc="upper center", markerscale=4.0, fontsize=9)
+        axes.set_title(title, fontsize=10.5, color=INK, loc="right")
+        axes.set_ylabel("height (m)")
+    column[-1][0].set_xlabel("metres to the left")
+    legend_above(column[0][0], markerscale=4.0)
     return figure
 
 
@@ -393,10 +396,10 @@ def limit_spikes(axes: Axes, total: np.ndarray) -> None:
     axes.set_ylim(0, usual)
     axes.annotate(
         f"slower scans, beyond the plot: {int((total > usual).sum())}; the slowest took {slowest:.0f} ms",
-        (0.99, 0.97),
+        (1.0, 1.01),
         xycoords="axes fraction",
         ha="right",
-        va="top",
+        va="bottom",
         fontsize=9.5,
         color=MUTED,
     )
