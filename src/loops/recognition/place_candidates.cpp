@@ -45,9 +45,9 @@ class CandidateSearch {
     std::vector<std::vector<PlaceMatch>> found(chunks.size());
     std::atomic<std::size_t> done{0};
     chunks.forEach([&](std::size_t number, Chunk chunk) {
-      PlaceIndex::Counts counts = index.counts();
+      PlaceIndex::Lookup lookup(index);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-        for (const PlaceMatch& match : matchesOf(i, index, counts)) found[number].push_back(match);
+        for (const PlaceMatch& match : matchesOf(i, index, lookup)) found[number].push_back(match);
       if (on_places) on_places(done += chunk.end - chunk.begin);
     });
     return unique(found);
@@ -56,11 +56,11 @@ class CandidateSearch {
  private:
   /// Its best partners, the best place of each.
   std::vector<PlaceMatch> matchesOf(std::size_t place, const PlaceIndex& index,
-                                    PlaceIndex::Counts& counts) const {
+                                    PlaceIndex::Lookup& lookup) const {
     std::vector<PlaceMatch> best;
     std::set<SessionId> partners;
     for (const PlaceMatch& match :
-         recognition_.find(places_[place], toCompare(place, index, counts))) {
+         recognition_.find(places_[place], toCompare(place, index, lookup))) {
       if (!recognition_.isRecognised(match)) break;
       if (partners.insert(match.target.session).second) best.push_back(directed(match));
       if (best.size() == static_cast<std::size_t>(config_.partners)) break;
@@ -69,13 +69,13 @@ class CandidateSearch {
   }
 
   std::vector<std::size_t> toCompare(std::size_t place, const PlaceIndex& index,
-                                     PlaceIndex::Counts& counts) const {
+                                     PlaceIndex::Lookup& lookup) const {
     const auto [begin, end] = ranges_.at(places_[place].id.session);
     std::vector<std::size_t> others;
     if (config_.shortlist > 0) {
       for (const PlaceIndex::Vote& vote :
            index.similar(places_[place].features, begin, end,
-                         static_cast<std::size_t>(config_.shortlist), counts))
+                         static_cast<std::size_t>(config_.shortlist), lookup))
         others.push_back(vote.place);
       return others;
     }

@@ -5,16 +5,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "revisit_slam/loops/recognition/near_words.h"
 #include "revisit_slam/loops/recognition/place_features.h"
 
 namespace revisit_slam {
 
 /// How places that look alike are looked up among many.
 struct PlaceIndexConfig {
-  int tables = 64;           ///< each hashes a choice of bits of its own
-  int largest_bucket = 256;  ///< entries of a bucket that are looked at
-  int max_distance = 45;     ///< bits, between features that speak for each other
-  std::uint32_t seed = 1;    ///< of the choice of bits
+  int tables = 24;          ///< each hashes a choice of bits of its own
+  int usual_bucket = 8;     ///< entries of a bucket on average
+  int largest_bucket = 64;  ///< entries of a bucket that are looked at
+  int max_distance = 45;    ///< bits, between features that speak for each other
+  std::uint32_t seed = 1;   ///< of the choice of bits
 };
 
 /// Finds the places that share most with a query without comparing it with all: bit sampling for
@@ -35,42 +37,66 @@ class PlaceIndex {
     std::size_t place;
     std::uint32_t votes;
   };
-  /// Votes by place and turn, for one thread.
-  using Counts = std::vector<std::uint32_t>;
-  Counts counts() const { return Counts(kTurns * places_, 0); }
+  /// What a thread needs to look up.
+  class Lookup;
 
   /// The `count` places with most votes of the features, most first, without those of
-  /// [excluded_begin, excluded_end). `counts` is left as it came.
+  /// [excluded_begin, excluded_end).
   std::vector<Vote> similar(const PlaceFeatures& features, std::size_t excluded_begin,
-                            std::size_t excluded_end, std::size_t count, Counts& counts) const;
+                            std::size_t excluded_end, std::size_t count, Lookup& lookup) const;
 
  private:
+  /// A part of the entries of a table.
+  struct Bucket {
+    std::size_t begin, size;
+  };
+
   /// How a place may be turned to another: sectors of the circle. An alignment has turns of two
   /// neighbours, as those of features are known to about 0.35 rad.
   static constexpr std::size_t kTurns = 16;
 
-  /// What a look-up needs of a feature, in one line of the cache.
-  struct Entry {
+  /// What a vote needs of a feature, in one line of the cache.
+  struct Feature {
     Descriptor descriptor;
     float angle;
     std::uint32_t place;
   };
+  /// Its entries are ordered by bucket. What is looked at of all entries of a bucket lies side by
+  /// side.
   struct Table {
-    std::vector<std::uint8_t> bits;      // that it hashes
-    std::vector<std::uint32_t> begins;   // of the buckets in `entries`, and the end of the last
-    std::vector<std::uint32_t> entries;  // features
+    std::vector<std::uint8_t> bits;       // that it hashes
+    std::size_t word;                     // of the descriptor, that its entries have
+    std::vector<std::uint32_t> begins;    // of the buckets, and the end of the last
+    std::vector<std::uint64_t> words;     // of the entries
+    std::vector<std::uint32_t> features;  // of the entries
   };
 
   template <typename Meet>
-  void forEachAlike(const Descriptor& descriptor, const Meet& meet) const;
+  void forEachAlike(const Descriptor& descriptor, Lookup& lookup, const Meet& meet) const;
+  void addNear(const Descriptor& descriptor, std::size_t table, Lookup& lookup) const;
+  Bucket bucketOf(const Table& table, std::uint32_t key) const;
   static std::uint32_t keyOf(const Descriptor& descriptor, const std::vector<std::uint8_t>& bits);
   void fill(Table& table) const;
-  static std::uint32_t takeBestTurn(std::size_t place, Counts& counts);
+  static std::uint32_t takeBestTurn(std::size_t place, std::vector<std::uint32_t>& counts);
 
   std::size_t places_, largest_bucket_;
-  int max_distance_;
-  std::vector<Entry> features_;  // of all places
+  int max_distance_, max_word_distance_;
+  WordSearch* search_;
+  std::vector<Feature> features_;  // of all places
   std::vector<Table> tables_;
+};
+
+class PlaceIndex::Lookup {
+ public:
+  explicit Lookup(const PlaceIndex& index);
+
+ private:
+  friend class PlaceIndex;
+  std::vector<std::uint32_t> counts_;  // votes by place and turn, 0 between look-ups
+  std::vector<std::uint32_t> keys_;    // by table
+  std::vector<Bucket> buckets_;        // by table
+  std::vector<std::uint32_t> near_;    // entries of a bucket
+  std::vector<std::uint32_t> alike_;   // features
 };
 
 }  // namespace revisit_slam
