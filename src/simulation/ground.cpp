@@ -13,7 +13,7 @@ constexpr double kFineReach = 12.0;
 
 Material surfaceAt(const Site& site, const Eigen::Vector2d& p) {
   const WorldKind kind = site.layout().kind;
-  if (kind == WorldKind::kCorridor || kind == WorldKind::kRamp) return Material::kConcrete;
+  if (isPaved(kind)) return Material::kConcrete;
   const double outside = site.fromRoad(p);
   if (kind == WorldKind::kField) return Material::kGrass;
   if (outside < 0.0) return kind == WorldKind::kCampus ? Material::kPavement : Material::kAsphalt;

@@ -15,8 +15,9 @@ constexpr double kNodeJitter = 0.05;
 }  // namespace
 
 const std::vector<std::string>& worldNames() {
-  static const std::vector<std::string> names{"town", "bridge",   "field",   "campus",
-                                              "ramp", "corridor", "motorway"};
+  static const std::vector<std::string> names{"town",     "bridge",   "field",    "campus",
+                                              "ramp",     "corridor", "motorway", "bays",
+                                              "terraces", "aisles",   "portals",  "storeys"};
   return names;
 }
 
@@ -24,8 +25,9 @@ WorldKind worldKindOf(const std::string& name) {
   const auto& names = worldNames();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    throw ParameterError("world = '" + name +
-                         "': must be town, bridge, field, campus, ramp, corridor or motorway");
+    std::string offered;
+    for (const std::string& each : names) offered += (offered.empty() ? "" : ", ") + each;
+    throw ParameterError("world = '" + name + "': must be one of " + offered);
   }
   return static_cast<WorldKind>(found - names.begin());
 }
@@ -62,6 +64,14 @@ bool StreetGrid::isBridge(GridNode a, GridNode b) const {
          std::max(a.i, b.i) == 1;
 }
 
+bool hasLevels(WorldKind kind) {
+  return kind == WorldKind::kRamp || kind == WorldKind::kStoreys;
+}
+
+bool isPaved(WorldKind kind) {
+  return hasLevels(kind) || kind >= WorldKind::kBays || kind == WorldKind::kCorridor;
+}
+
 double roadHalfWidth(WorldKind kind) {
   switch (kind) {
     case WorldKind::kTown:
@@ -71,10 +81,16 @@ double roadHalfWidth(WorldKind kind) {
       return 5.0;
     case WorldKind::kMotorway:
       return 13.5;
+    case WorldKind::kBays:
+    case WorldKind::kTerraces:
+    case WorldKind::kPortals:
+      return 3.0;
     case WorldKind::kField:
       return 2.5;
     case WorldKind::kCampus:
     case WorldKind::kCorridor:
+    case WorldKind::kAisles:
+    case WorldKind::kStoreys:
       return 1.8;
   }
   return 5.5;
@@ -82,6 +98,7 @@ double roadHalfWidth(WorldKind kind) {
 
 double laneOffset(WorldKind kind) {
   if (kind == WorldKind::kMotorway) return 6.5;  // the middle one of three lanes
+  if (kind >= WorldKind::kBays) return 0.0;
   return kind == WorldKind::kTown || kind == WorldKind::kBridge ? 1.75 : 0.4;
 }
 

@@ -24,7 +24,11 @@ double usualSpeed(const RouteConfig& config) {
     case WorldKind::kCampus:
     case WorldKind::kCorridor:
       return 1.5;
+    case WorldKind::kAisles:
+    case WorldKind::kStoreys:
+      return 2.0;
     case WorldKind::kRamp:
+    case WorldKind::kBays:
       return 4.0;
     case WorldKind::kMotorway:
       return 25.0;
@@ -67,14 +71,14 @@ Route namedRoute(RouteConfig config) {
   if (config.length <= 0.0) config.length = kUsualLength;
   const RoutePattern pattern = makePattern(config);
   Polyline path = roundedAndSampled(pattern.middle, cornerSigmaOf(config));
-  const bool ramp = config.world == WorldKind::kRamp;
-  if (!ramp) {
+  const bool has_levels = hasLevels(config.world);
+  if (!has_levels) {
     path = movedRight(path, [&](double arc) { return offsetAt(config, pattern.lap, arc); });
     path = smoothed(path, 4.0);
   }
   path = shortened(resampled(path, Route::kStep), config.length);
   auto terrain = std::make_shared<const Terrain>(pattern.layout);
-  if (!ramp) layOnGround(path, *terrain);
+  if (!has_levels) layOnGround(path, *terrain);
   SpeedProfile profile = makeSpeedProfile(path, Route::kStep, limitsOf(config));
   return Route(config, pattern.layout, std::move(terrain), std::move(path), std::move(profile));
 }
@@ -127,8 +131,9 @@ Route recordedRoute(const RouteConfig& config) {
 /// Speed and sway are those of the visit.
 Route visitOf(const Route& first, RouteConfig config) {
   const VisitConfig& visit = config.visit;
-  if (config.world == WorldKind::kRamp)
-    throw ParameterError("visit = " + std::to_string(visit.number) + ": the world ramp has none");
+  if (hasLevels(config.world))
+    throw ParameterError("visit = " + std::to_string(visit.number) + ": the world " +
+                         nameOf(config.world) + " has none");
   config.seed = hashOf(config.seed, 990, static_cast<std::uint64_t>(visit.number));
   const double other_lane = 2.0 * laneOffset(config.world);
   const double left = visit.reversed ? other_lane - visit.aside : visit.aside;

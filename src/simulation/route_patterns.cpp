@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equal_rows.h"
 #include "grid_walks.h"
 #include "ramp_shape.h"
 #include "revisit_slam/simulation/random.h"
 #include "revisit_slam/util/parameters.h"
+#include "storeys.h"
 
 namespace revisit_slam::simulation {
 namespace {
@@ -29,20 +31,18 @@ BlockSize blockSize(WorldKind kind) {
       return {42.0, 20.0};
     case WorldKind::kCorridor:
       return {22.0, 10.0};
-    case WorldKind::kTown:
-    case WorldKind::kRamp:
-    case WorldKind::kMotorway:
+    default:
       return {90.0, 40.0};
   }
-  return {90.0, 40.0};
 }
 
 void requireOffered(const RouteConfig& config) {
-  const bool offered =
-      config.route == "tour" || (config.world == WorldKind::kMotorway && config.route == "loop") ||
-      (config.world == WorldKind::kBridge
-           ? config.route == "loop" || config.route == "out-and-back"
-           : config.world != WorldKind::kRamp && config.world != WorldKind::kMotorway);
+  const bool offered = config.route == "tour" ||
+                       (config.world == WorldKind::kMotorway && config.route == "loop") ||
+                       (config.world == WorldKind::kBridge
+                            ? config.route == "loop" || config.route == "out-and-back"
+                            : !hasLevels(config.world) && !hasEqualRows(config.world) &&
+                                  config.world != WorldKind::kMotorway);
   if (!offered) {
     throw ParameterError("route = '" + config.route + "': the world " + nameOf(config.world) +
                          " offers tour" +
@@ -90,6 +90,11 @@ RoutePattern outAndBack(const RouteConfig& config, Layout layout) {
   return {layout, withReturn(shortened(street, half), radius), config.length};
 }
 
+Polyline throughEqualPlaces(const RouteConfig& config) {
+  if (config.world == WorldKind::kStoreys) return throughStoreys(config.length);
+  return alongRows(equalRows(config.world, config.seed), config.length);
+}
+
 /// A ring of wide bends; three quarters of the drive are the first lap.
 RoutePattern motorwayRing(const RouteConfig& config, const Layout& layout) {
   constexpr double kSmallest = 250.0;
@@ -120,11 +125,14 @@ double cornerSigma(WorldKind kind) {
     case WorldKind::kField:
     case WorldKind::kMotorway:
       return 6.0;
-    case WorldKind::kTown:
-    case WorldKind::kBridge:
+    case WorldKind::kAisles:
+    case WorldKind::kStoreys:
+      return 1.3;
+    case WorldKind::kPortals:
+      return 2.0;
+    default:
       return 4.0;
   }
-  return 4.0;
 }
 
 RoutePattern makePattern(const RouteConfig& config) {
@@ -136,6 +144,10 @@ RoutePattern makePattern(const RouteConfig& config) {
     return {layout, rampRoute(rampShape(config.length), config.length), config.length};
   }
   if (config.world == WorldKind::kMotorway) return motorwayRing(config, layout);
+  if (config.world == WorldKind::kStoreys || hasEqualRows(config.world)) {
+    layout.has_streets = false;
+    return {layout, throughEqualPlaces(config), config.length};
+  }
   if (config.route == "out-and-back") return outAndBack(config, layout);
   const GridWalk walk = makeWalk(config, size.usual);
   layout.block = walk.block;

@@ -61,7 +61,7 @@ double Site::ground(const Eigen::Vector2d& p) const {
   const double outside = fromRoad(p);
   const double kerb =
       hasKerbs(layout().kind) ? kKerbHeight * std::clamp(outside / 0.5, 0.0, 1.0) : 0.0;
-  const bool paved = layout().kind == WorldKind::kCorridor || layout().kind == WorldKind::kRamp;
+  const bool paved = isPaved(layout().kind);
   const double rough = paved ? 0.003 : 0.006 + 0.03 * std::clamp((outside - 1.5) / 2.0, 0.0, 1.0);
   const double grain = smoothNoise(layout().seed + 7200, p.x() / 0.9, p.y() / 0.9);
   const double lumps = paved ? 0.0 : smoothNoise(layout().seed + 7300, p.x() / 6.0, p.y() / 6.0);

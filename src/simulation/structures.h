@@ -14,4 +14,9 @@ void addCorridor(Site& site);
 /// Guard rails, boards, gantries, posts, bushes and trees, and bare stretches between them.
 void addMotorway(Site& site);
 
+/// What stands beside the lanes of equal_rows.h, all alike.
+void addEqualRows(Site& site);
+/// The building of storeys.h with its ramps, each storey like the others.
+void addStoreys(Site& site);
+
 }  // namespace revisit_slam::simulation

@@ -30,11 +30,9 @@ Hills hillsOf(WorldKind kind) {
       return {1.5, 180.0};
     case WorldKind::kMotorway:
       return {4.0, 500.0};
-    case WorldKind::kRamp:
-    case WorldKind::kCorridor:
+    default:
       return {0.0, 100.0};
   }
-  return {0.0, 100.0};
 }
 
 double smoothStep(double t) {

@@ -71,6 +71,13 @@ void fill(Site& site, const Route& visit) {
       return addCorridor(site);
     case WorldKind::kMotorway:
       return addMotorway(site);
+    case WorldKind::kBays:
+    case WorldKind::kTerraces:
+    case WorldKind::kAisles:
+    case WorldKind::kPortals:
+      return addEqualRows(site);
+    case WorldKind::kStoreys:
+      return addStoreys(site);
   }
 }
 

@@ -40,7 +40,8 @@ TEST(Route, IsSmooth) {
   for (const Case& c :
        {Case{WorldKind::kTown, "tour", 600}, Case{WorldKind::kTown, "lateral", 600},
         Case{WorldKind::kTown, "out-and-back", 500}, Case{WorldKind::kRamp, "tour", 900},
-        Case{WorldKind::kCampus, "figure-eight", 300}}) {
+        Case{WorldKind::kCampus, "figure-eight", 300}, Case{WorldKind::kAisles, "tour", 400},
+        Case{WorldKind::kStoreys, "tour", 800}}) {
     RouteConfig config = shortDrive(c.route, c.length);
     config.world = c.world;
     const Route route = makeRoute(config);

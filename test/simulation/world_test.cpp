@@ -18,7 +18,12 @@ TEST(World, NothingStandsWhereThePlatformDrives) {
                                            {WorldKind::kCampus, 300.0},
                                            {WorldKind::kBridge, 600.0},
                                            {WorldKind::kRamp, 900.0},
-                                           {WorldKind::kMotorway, 500.0}}) {
+                                           {WorldKind::kMotorway, 500.0},
+                                           {WorldKind::kBays, 900.0},
+                                           {WorldKind::kTerraces, 900.0},
+                                           {WorldKind::kAisles, 400.0},
+                                           {WorldKind::kPortals, 900.0},
+                                           {WorldKind::kStoreys, 900.0}}) {
     RouteConfig config = shortDrive("tour", length);
     config.world = world_kind;
     const Route route = makeRoute(config);

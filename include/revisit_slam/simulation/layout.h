@@ -8,7 +8,20 @@
 
 namespace revisit_slam::simulation {
 
-enum class WorldKind { kTown, kBridge, kField, kCampus, kRamp, kCorridor, kMotorway };
+enum class WorldKind {
+  kTown,
+  kBridge,
+  kField,
+  kCampus,
+  kRamp,
+  kCorridor,
+  kMotorway,
+  kBays,
+  kTerraces,
+  kAisles,
+  kPortals,
+  kStoreys
+};
 
 /// The names as the command line has them, in the order of the enumeration.
 const std::vector<std::string>& worldNames();
@@ -52,6 +65,10 @@ class StreetGrid {
   Layout layout_;
 };
 
+/// Whether levels lie above each other, so that the route has heights of its own.
+bool hasLevels(WorldKind kind);
+/// Whether the ground is level and smooth.
+bool isPaved(WorldKind kind);
 /// Half the width of the carriageway of a street, metres.
 double roadHalfWidth(WorldKind kind);
 /// How far right of the middle of the road the vehicle keeps, metres.
