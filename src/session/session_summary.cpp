@@ -13,9 +13,9 @@ namespace revisit_slam {
 namespace {
 
 constexpr char kKind[] = "RSSUMMRY";
-constexpr std::uint32_t kVersion = 1;
-// Behind those of local maps.
-constexpr std::uint32_t kSession = 3, kSubmaps = 4, kLoops = 5;
+constexpr std::uint32_t kVersion = 2;
+// Behind those of local maps; 4 were submaps without `weak_height`.
+constexpr std::uint32_t kSession = 3, kLoops = 5, kSubmaps = 6;
 
 /// The odometry from one scan to a later one as one edge.
 Matrix6 informationBetween(const std::vector<GraphNode>& nodes, std::size_t first,
@@ -79,6 +79,7 @@ std::string encode(const std::vector<SummarisedSubmap>& submaps) {
     bytes.put(submap.stamp);
     bytes.put(submap.travelled_begin);
     bytes.put(submap.unsure_begin.weak);
+    bytes.put(submap.unsure_begin.weak_height);
     bytes.put(submap.unsure_begin.doubt);
     bytes.put(submap.T_odom_submap);
     bytes.put(submap.T_map_submap);
@@ -98,6 +99,7 @@ std::vector<SummarisedSubmap> decodeSubmaps(const std::string& payload) {
     submap.stamp = bytes.stamp();
     submap.travelled_begin = bytes.get<double>();
     submap.unsure_begin.weak = bytes.get<double>();
+    submap.unsure_begin.weak_height = bytes.get<double>();
     submap.unsure_begin.doubt = bytes.get<double>();
     submap.T_odom_submap = bytes.pose();
     submap.T_map_submap = bytes.pose();

@@ -31,6 +31,7 @@ ByteWriter head(const Submap& submap) {
   bytes.put(submap.scale);
   bytes.put(submap.unsure_begin.weak);
   bytes.put(submap.unsure_begin.doubt);
+  bytes.put(submap.unsure_begin.weak_height);
   return bytes;
 }
 
@@ -76,6 +77,9 @@ void readHead(ByteReader bytes, Submap& submap) {
   if (!(submap.scale > 0.0)) throw std::runtime_error("a submap has no scale");
   submap.unsure_begin.weak = bytes.get<double>();
   submap.unsure_begin.doubt = bytes.get<double>();
+  // Where it was not told from the plane, both are as weak.
+  const bool is_known = bytes.left() > 0;
+  submap.unsure_begin.weak_height = is_known ? bytes.get<double>() : submap.unsure_begin.weak;
 }
 
 void readTrajectory(ByteReader bytes, Submap& submap) {

@@ -25,11 +25,6 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
 /// Maps of half the size, as in garages, keep their voxels: with 16 beams finer ones are sparse.
 constexpr double kFineness = 2.0;
 
-/// m, of the motion since the scan before.
-double deviationOf(const InformedScan& informed) {
-  return std::sqrt(informed.covariance_motion.topLeftCorner<3, 3>().trace());
-}
-
 std::size_t bytesOf(int megabytes) {
   return static_cast<std::size_t>(megabytes) * 1'000'000;
 }
@@ -50,11 +45,27 @@ void MapManager::insert(const InformedScan& informed) {
   const bool is_behind = building_.waiting() > static_cast<std::size_t>(mapping_.max_waiting);
   if (is_behind) ++count_.thinned_scans;
   building_.post([this, kept = is_behind ? withoutPoints(*informed.scan) : informed.scan,
-                  verdict = informed.verdict,
-                  deviation = deviationOf(informed)] { build(*kept, verdict, deviation); });
+                  unsure = unsureOf(informed)] { build(*kept, unsure); });
 }
 
-void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double deviation) {
+/// Roll and pitch that are hardly held lift what lies ahead, and a heading that is hardly held
+/// moves it in the plane. A scan that fits badly holds nothing for certain.
+MapManager::Unsure MapManager::unsureOf(const InformedScan& informed) {
+  Unsure unsure;
+  if (informed.verdict >= PoseVerdict::poor) {
+    unsure.weak = unsure.weak_height = 1.0;
+    unsure.doubt = std::sqrt(informed.covariance_motion.topLeftCorner<3, 3>().trace());
+  }
+  for (const WeakDirection& weak : informed.estimate.weak_directions) {
+    const auto translation = weak.direction.head<3>(), rotation = weak.direction.tail<3>();
+    unsure.weak = std::max({unsure.weak, translation.head<2>().norm(), std::abs(rotation.z())});
+    unsure.weak_height =
+        std::max({unsure.weak_height, std::abs(translation.z()), rotation.head<2>().norm()});
+  }
+  return unsure;
+}
+
+void MapManager::build(const RegisteredScan& scan, const Unsure& unsure) {
   const std::uint32_t scans_before = order_.scans();
   switch (order_.take(scan.id)) {
     case ScanOrder::repeated:
@@ -76,20 +87,20 @@ void MapManager::build(const RegisteredScan& scan, PoseVerdict verdict, double d
     case ScanOrder::next:
       break;
   }
-  hand(builder_->insert(scan, startWith(scan, verdict, deviation)));
+  hand(builder_->insert(scan, startWith(scan, unsure)));
 }
 
 /// What a submap takes over that begins with this scan.
-SubmapStart MapManager::startWith(const RegisteredScan& scan, PoseVerdict verdict,
-                                  double deviation) {
+SubmapStart MapManager::startWith(const RegisteredScan& scan, const Unsure& unsure) {
   SubmapStart start;
   if (mapping_.follow_scale && scan.voxel_size > 0.0)
     start.size = std::min(1.0, scan.voxel_size / largest_voxel_size_);
   start.scale = std::min(1.0, kFineness * start.size);
   const double step = (scan.T_odom_base.translation - position_odom_).norm();
   position_odom_ = scan.T_odom_base.translation;
-  if (verdict >= PoseVerdict::weak) unsure_.weak += step;
-  if (verdict >= PoseVerdict::poor) unsure_.doubt += deviation;
+  unsure_.weak += unsure.weak * step;
+  unsure_.weak_height += unsure.weak_height * step;
+  unsure_.doubt += unsure.doubt;
   start.unsure = unsure_;
   start.sensor_base = scan.sensor_base;
   return start;

@@ -137,9 +137,11 @@ TEST(MapHierarchy, SubmapsKnowHowUnsureTheOdometryWasAtTheirFirstScan) {
   Closed closed;
   const std::vector<Pose> poses = straight(60);
   for (unsigned i = 0; i < poses.size(); ++i)
-    closed.add(hierarchy.insert({i}, Stamp{i}, poses[i], {}, {1.0, 1.0, {1.0 * i, 2.0 * i}, {}}));
+    closed.add(
+        hierarchy.insert({i}, Stamp{i}, poses[i], {}, {1.0, 1.0, {1.0 * i, 3.0 * i, 2.0 * i}, {}}));
   ASSERT_GE(closed.submaps.size(), 2u);
   EXPECT_EQ(closed.submaps[1]->unsure_begin.weak, 26.0);
+  EXPECT_EQ(closed.submaps[1]->unsure_begin.weak_height, 78.0);
   EXPECT_EQ(closed.submaps[1]->unsure_begin.doubt, 52.0);
 }
 

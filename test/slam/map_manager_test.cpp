@@ -119,7 +119,9 @@ TEST_F(MapManagerTest, whereScansHardlyHoldThePoseTheDistanceIsUnsure) {
   MapManager manager(config_, building, searching, outputs());
   for (std::uint32_t i = 0; i < 12; ++i) {
     InformedScan informed = scan(i, 5.0 * i);
-    if (i >= 2 && i < 4) informed.verdict = PoseVerdict::weak;
+    Tangent along = Tangent::Zero();
+    along(0) = 0.8, along(2) = 0.6;
+    if (i >= 2 && i < 4) informed.estimate.weak_directions = {{along, 0.0}};
     informed.covariance_motion = 12.0 * Matrix6::Identity();
     if (i == 4) informed.verdict = PoseVerdict::lost;
     manager.insert(informed);
@@ -127,7 +129,8 @@ TEST_F(MapManagerTest, whereScansHardlyHoldThePoseTheDistanceIsUnsure) {
   manager.close(1);
   ASSERT_GE(maps_.size(), 2u);
   EXPECT_EQ(maps_[0]->submap->unsure_begin.weak, 0.0);
-  EXPECT_NEAR(maps_[1]->submap->unsure_begin.weak, 15.0, 1e-9);
+  EXPECT_NEAR(maps_[1]->submap->unsure_begin.weak, 0.8 * 10.0 + 5.0, 1e-9);
+  EXPECT_NEAR(maps_[1]->submap->unsure_begin.weak_height, 0.6 * 10.0 + 5.0, 1e-9);
   EXPECT_NEAR(maps_[1]->submap->unsure_begin.doubt, 6.0, 1e-9);
 }
 

@@ -61,8 +61,15 @@ class MapManager {
   const MapManagerCount& count() const { return count_; }
 
  private:
-  void build(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
-  SubmapStart startWith(const RegisteredScan& scan, PoseVerdict verdict, double deviation);
+  /// What a scan adds to the unsure distance of the odometry.
+  struct Unsure {
+    double weak = 0.0, weak_height = 0.0;  // shares of the way since the scan before
+    double doubt = 0.0;                    // m
+  };
+
+  static Unsure unsureOf(const InformedScan& informed);
+  void build(const RegisteredScan& scan, const Unsure& unsure);
+  SubmapStart startWith(const RegisteredScan& scan, const Unsure& unsure);
   void hand(MapUpdate update);
   void closeSession(std::uint32_t request, std::uint32_t scans);
   void begin(SessionId session, const KnownMapPtr& prior,

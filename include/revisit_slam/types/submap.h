@@ -14,7 +14,8 @@ namespace revisit_slam {
 /// What the drift of the odometry depends on besides the travelled distance, since the session
 /// began.
 struct UnsureDistance {
-  double weak = 0.0;   ///< m, travelled while scans hardly held the pose in some direction
+  double weak = 0.0;         ///< m, travelled while scans hardly held the place in the plane
+  double weak_height = 0.0;  ///< m, travelled while they hardly held the height
   double doubt = 0.0;  ///< m, standard deviations of the motions of poor and lost scans, summed
 };
 

@@ -94,7 +94,7 @@ json constraintJson(const JudgedConstraint& c) {
           {"iterations", registration.iterations},
           {"hausdorff", p.hausdorff},
           {"overlap", p.overlap},
-          {"drift", p.registered.prior.drift},
+          {"drift", p.registered.prior.drift.plane},
           {"deviation", p.registered.deviation(DriftConfig())},
           {"ambiguity", p.registered.ambiguity(LoopCloserConfig().max_translation)},
           {"moved",

@@ -55,7 +55,7 @@ double RegisteredPair::deviation(const DriftConfig& config) const {
 double RegisteredPair::ambiguity(double radius) const {
   if (!source || !target) return 0.0;
   return rivalShare(*source, *target, registration.T_target_source,
-                    std::min(radius, kDeviations * prior.drift));
+                    std::min(radius, kDeviations * prior.drift.plane));
 }
 
 bool GateMeasurement::isWithin() const {

@@ -24,7 +24,7 @@ std::vector<std::shared_ptr<Submap>> submaps(unsigned count) {
 double driftBetween(const std::vector<std::shared_ptr<Submap>>& submaps, unsigned a, unsigned b,
                     const std::vector<LoopEdge>& loops = {}) {
   const GraphDrift drift({submaps.begin(), submaps.end()}, loops, {});
-  return drift.from({a})[b];
+  return drift.from({a})[b].plane;
 }
 
 TEST(GraphDrift, GrowsWithTheWayInEitherDirection) {
@@ -35,9 +35,20 @@ TEST(GraphDrift, GrowsWithTheWayInEitherDirection) {
 
 TEST(GraphDrift, GrowsFasterWhereTheOdometryIsUnsure) {
   auto drive = submaps(3);
-  drive[2]->unsure_begin = {60.0, 5.0};
+  drive[2]->unsure_begin = {60.0, 0.0, 5.0};
   EXPECT_NEAR(driftBetween(drive, 1, 2), 0.3 + 0.01 * 100 + 0.05 * 60 + 5.0, 1e-12);
   EXPECT_NEAR(driftBetween(drive, 0, 1), 0.3 + 0.01 * 100, 1e-12);
+}
+
+/// Along a ramp without things beside it the floor still holds the height.
+TEST(GraphDrift, InHeightGrowsFasterOnlyWhereTheHeightIsUnsure) {
+  auto drive = submaps(3);
+  drive[1]->unsure_begin = drive[2]->unsure_begin = {60.0, 0.0, 0.0};
+  drive[2]->unsure_begin.weak_height = 40.0;
+  const GraphDrift drift({drive.begin(), drive.end()}, {}, {});
+  EXPECT_NEAR(drift.between({0}, {1}).height, 0.3 * (0.3 + 0.01 * 100), 1e-12);
+  EXPECT_NEAR(drift.between({1}, {2}).height, 0.3 * (0.3 + 0.01 * 100) + 0.05 * 40, 1e-12);
+  EXPECT_NEAR(drift.between({0}, {2}).height, 0.3 * (0.3 + 0.01 * 200) + 0.05 * 40, 1e-12);
 }
 
 TEST(GraphDrift, TakesTheShortWayOverLoopsThatTheGraphHasTaken) {
@@ -51,11 +62,11 @@ TEST(GraphDrift, TakesTheShortWayOverLoopsThatTheGraphHasTaken) {
 
 TEST(LoopPrior, MeasuresInThePlaneInHeightAndInRotation) {
   const Pose expected{expSO3({0, 0, 0.4}), {10, 0, 0}};
-  const LoopPrior prior{expected, 2.0};
+  const LoopPrior prior{expected, {2.0, 0.6}};
   EXPECT_NEAR(prior.deviation(expected, {}), 0.0, 1e-9);
   EXPECT_NEAR(prior.deviation({expected.rotation, {10, 6, 0}}, {}), 3.0, 1e-9);
   EXPECT_NEAR(prior.deviation({expected.rotation, {10, 0, -3.0}}, {}), 3.0 / 0.6, 1e-9);
-  const LoopPrior near{expected, 0.4};
+  const LoopPrior near{expected, {0.4, 0.1}};
   EXPECT_NEAR(near.deviation({expected.rotation, {10, 0, -0.3}}, {}), 1.0, 1e-9);
   const Pose turned{expSO3({0, 0, 0.4 + 6.0 * M_PI / 180.0}), {10, 0, 0}};
   EXPECT_NEAR(prior.deviation(turned, {}), 3.0, 1e-9);

@@ -58,9 +58,9 @@ TEST(RegistrationGates, WhatTheDriftAllows) {
   RegisteredPair pair;
   pair.registration.T_target_source.translation = {5, 0, 0};
   EXPECT_EQ(verdictOf(pair, driftGate({})), "accepted");  // nothing is known
-  pair.prior.drift = 1.0;
+  pair.prior.drift = {1.0, 0.3};
   EXPECT_EQ(verdictOf(pair, driftGate({})), "drift 5 sigma > 3 sigma");
-  pair.prior.drift = 2.0;
+  pair.prior.drift = {2.0, 0.6};
   EXPECT_EQ(verdictOf(pair, driftGate({})), "accepted");
 }
 

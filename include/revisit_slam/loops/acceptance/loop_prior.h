@@ -36,7 +36,7 @@ struct DriftConfig {
       "drifts more than this; lower it if it drifts less");
     v("weak_rate", weak_rate, Range{0.0, 10.0}, "",
       "standard deviation that is added for each metre of way where scans hardly hold the pose in "
-      "some direction, as in tunnels. Raise it if "
+      "some direction, as in tunnels: in the plane or in height, as the direction is. Raise it if "
       "right loops behind tunnels are rejected; lower it if wrong ones are accepted");
     v("vertical_share", vertical_share, Range{0.0, 10.0}, "",
       "drift in height, as a share of the drift in the plane, but no less than base. Raise it if "
@@ -48,11 +48,16 @@ struct DriftConfig {
   }
 };
 
+/// Standard deviations, m; infinite where nothing is known.
+struct Drift {
+  double plane = std::numeric_limits<double>::infinity();
+  double height = std::numeric_limits<double>::infinity();
+};
+
 /// What is known of where one submap lies in another before they are registered.
 struct LoopPrior {
   Pose T_target_source;
-  /// m, standard deviation in the plane; infinite: nothing is known.
-  double drift = std::numeric_limits<double>::infinity();
+  Drift drift;
 
   /// How many standard deviations a pose is from it, 0 where nothing is known. The height is that
   /// along the z axis of the target submap.
@@ -60,28 +65,28 @@ struct LoopPrior {
 };
 
 /// How far the graph can be off between submaps: the drift of the odometry along the shortest way
-/// from one to the other, which may take the loops that the graph has taken.
+/// from one to the other, which may take the loops that the graph has taken. Shortest: with the
+/// least drift in the plane.
 class GraphDrift {
  public:
   /// `submaps` of each session by number, session after session.
   GraphDrift(std::vector<SubmapPtr> submaps, const std::vector<LoopEdge>& loops,
              const DriftConfig& config);
 
-  /// m, standard deviation, from a submap to each of all, in their order; infinite where there is
-  /// no way.
-  std::vector<double> from(SubmapId submap) const;
+  /// From a submap to each of all, in their order.
+  std::vector<Drift> from(SubmapId submap) const;
   /// From one to the other; looks no farther than that.
-  double between(SubmapId a, SubmapId b) const;
+  Drift between(SubmapId a, SubmapId b) const;
 
  private:
   struct Step {
     std::size_t to;
-    double drift;  // m
+    Drift drift;
   };
 
-  std::vector<double> search(std::size_t begin, std::size_t until) const;
+  std::vector<Drift> search(std::size_t begin, std::size_t until) const;
 
-  double base_;
+  Drift base_;
   SessionOffsets<SubmapId> submaps_;
   std::vector<std::vector<Step>> steps_;  // from each submap
 };
