@@ -49,9 +49,9 @@ struct GnssConfig {
       "are dropped. Raise it if positions are dropped as too late; lower it if they should "
       "enter sooner");
     v("spacing", spacing, Range{0.0, 100.0}, "m",
-      "shortest travelled distance between two positions that are used. Raise it if "
-      "optimisations take long, or where errors of neighbouring positions are alike; lower it "
-      "if the receiver is noisy");
+      "shortest distance between two positions in a row that are used. Raise it if optimisations "
+      "take long, or where errors of neighbouring positions are alike; lower it if the receiver "
+      "is noisy");
     v("unknown_deviation", unknown_deviation, Range{0.001, 1000.0}, "m",
       "horizontal standard deviation of positions whose messages bear no covariance; twice as much "
       "vertically. Raise it among high buildings; lower it under open sky");
