@@ -13,10 +13,9 @@ struct LocalVoxelMapConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("voxel_size", voxel_size, Range{0.02, 20.0}, "m",
-      "edge of a voxel of the local map, the largest with adaptive_voxel_size; about a hundredth "
-      "of "
-      "max_range. Raise it if registration takes too long; lower it if the surroundings are "
-      "narrow");
+      "edge of a voxel of the odometry's map, the largest with adaptive_voxel_size; about a "
+      "hundredth of max_range. Raise it if registration takes too long; lower it if the "
+      "surroundings are narrow");
     v("max_points_per_voxel", max_points_per_voxel, Range{1, 100}, "",
       "largest number of points kept in a voxel. Raise it if details are to count; lower it if "
       "registration takes too long");

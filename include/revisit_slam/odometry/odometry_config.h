@@ -96,9 +96,9 @@ struct FitConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("good", good, Range{0.0, 1.0}, "",
-      "below this share of the usual fit of a scan its pose is poor, and other first guesses are "
-      "tried. Raise it if wrong poses are called good; lower it if right ones are called poor "
-      "(scans far apart, dense traffic)");
+      "below this share of the usual fit of a scan its pose is poor, and other first guesses "
+      "are tried; 0: every pose is good. Raise it if wrong poses are called good; lower it if "
+      "right ones are called poor (scans far apart, dense traffic)");
     v("lost", lost, Range{0.0, 1.0}, "",
       "below this share of the usual fit the scan does not fit at all: the pose is lost, and a new "
       "piece of map begins. Raise it if maps are torn where the sensor was carried; lower it if "
@@ -132,27 +132,26 @@ struct OdometryConfig {
       "distance from the sensor beyond which points are dropped. Raise it if little is near; lower "
       "it if far points are inaccurate or the map takes too much time");
     v("min_range", min_range, Range{0.0, 100.0}, "m",
-      "distance from the sensor within which points are dropped. Raise it if the sensor sees its "
-      "bearer; lower it in narrow surroundings");
+      "distance from the sensor within which points are dropped. Raise it if the sensor sees "
+      "the robot or the person that carries it; lower it in narrow surroundings");
     v("body", body, Choices{}, "",
       "box of the robot itself in the base frame, two opposite corners x y z x y z (m), in which "
       "points are dropped; empty: none");
     v("deskew", deskew, "correction of the motion within a scan where its point times are known");
     v("adaptive_voxel_size", adaptive_voxel_size,
-      "smaller voxels of the local map where scans reach less than ten of them, as in rooms, or a "
-      "ceiling is less than five of them above the floor, as in garages; false: map/voxel_size "
-      "everywhere");
+      "true: smaller voxels of the odometry's map where the median distance of points is below "
+      "ten of them, as in rooms, or a ceiling is less than five of them above the floor, as in "
+      "garages; false: map/voxel_size everywhere");
     v("redo_first_scans", redo_first_scans,
       "true: the first two scans are deskewed and registered once more with the motion between "
       "them; false: the first scan is taken as it is, as in KISS-ICP");
     v("sampling", sampling, Choices{"spread", "hash"}, "",
-      "which point of a voxel is registered. spread: the first one when the scan is gone through "
-      "evenly from everywhere; hash: the first one in the order of KISS-ICP's hash table");
+      "which point of a voxel is registered. spread: the first one in an order that jumps "
+      "evenly over the scan; hash: the first one in the order of KISS-ICP's hash table");
     v("max_prediction_time", max_prediction_time, Range{0.01, 60.0}, "s",
-      "longest time over which the motion is extrapolated; after a longer gap between scans the "
-      "adaptive threshold starts anew. Raise it if scans are lost in steady motion; lower it if "
-      "the "
-      "motion changes quickly");
+      "longest time over which the motion is extrapolated; after a longer gap between scans "
+      "sigma is at least threshold/initial. Raise it if scans are lost in steady motion; lower "
+      "it if the motion changes quickly");
     v("restart_after", restart_after, Range{2, 1000}, "scans",
       "scans in a row, in order, that are older than the newest, after which a new session begins "
       "with them: the clock was set back or the recording starts over. Raise it if late scans come "

@@ -6,11 +6,12 @@
 
 namespace revisit_slam {
 
-/// Kalman filter of the velocity of a base that is registered scan by scan (docs/odometry.md). Its
-/// state is the error of the velocity and, correlated with it, that of the pose in the map which
-/// scans are registered to. Between scans the velocity changes by c ~ N(0, A seconds^2) with
-/// independent axes. A, how jerky the platform is, follows from the changes that are observed, by
-/// recursive expectation maximisation: an axis that nothing is observed of keeps its A.
+/// Kalman filter of the velocity of a base that is registered scan by scan
+/// (docs/odometry_appendix.md). Its state is the error of the velocity and, correlated with it,
+/// that of the pose in the map which scans are registered to. Between scans the velocity changes by
+/// c ~ N(0, A seconds^2) with independent axes. A, how jerky the platform is, follows from the
+/// changes that are observed, by recursive expectation maximisation: an axis that nothing is
+/// observed of keeps its A.
 class VelocityFilter {
  public:
   /// Of the deviation of a pose from its prediction, [m; rad] in the base frame. `T_previous_base`:

@@ -24,14 +24,14 @@ struct BackEndConfig {
       "established loops outliers than they have inliers are rejected. Raise it if wrong loops "
       "are kept; lower it if right loops are rejected");
     v("drift", drift, Range{0.0, 1.0}, "",
-      "error in metres of each metre travelled that the odometry may have beyond its information, "
-      "where positions of GNSS or directions of gravity are used: in the direction that it knows "
-      "best, in others as much more as it knows less. Raise it if the map does not follow good "
-      "positions; lower it if their noise bends the map");
+      "error of the odometry beyond its information, in metres for each metre travelled, where "
+      "positions of GNSS or directions of gravity are used. It holds for the best constrained "
+      "direction; in others it grows in proportion to their own error. Raise it if the map "
+      "does not follow good positions; lower it if their noise bends the map");
     v("turn_drift", turn_drift, Range{0.0, 1.0}, "rad/m",
-      "likewise in radians of each metre travelled, about the axis that it knows best. Raise it if "
-      "the map does not follow good positions or directions; lower it if their noise bends the "
-      "map");
+      "likewise in radians for each metre travelled, about the best constrained axis. Raise it "
+      "if the map does not follow good positions or directions; lower it if their noise bends "
+      "the map");
   }
 };
 

@@ -45,11 +45,13 @@ struct GnssConfig {
       "time that is added to the stamps of positions. Raise it if positions are stamped too early; "
       "lower it if they are stamped when they arrive");
     v("max_delay", max_delay, Range{0.05, 30.0}, "s",
-      "time after which a position takes part; later ones are dropped. Raise it if positions are "
-      "dropped as too late; lower it if they should take part sooner");
+      "delay after which a position enters the graph; positions that arrive later than that "
+      "are dropped. Raise it if positions are dropped as too late; lower it if they should "
+      "enter sooner");
     v("spacing", spacing, Range{0.0, 100.0}, "m",
-      "shortest way between two positions that are used. Raise it if optimisations take long, or "
-      "where errors of neighbouring positions are alike; lower it if the receiver is noisy");
+      "shortest distance between two positions in a row that are used. Raise it if optimisations "
+      "take long, or where errors of neighbouring positions are alike; lower it if the receiver "
+      "is noisy");
     v("unknown_deviation", unknown_deviation, Range{0.001, 1000.0}, "m",
       "horizontal standard deviation of positions whose messages bear no covariance; twice as much "
       "vertically. Raise it among high buildings; lower it under open sky");

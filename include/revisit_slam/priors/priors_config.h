@@ -26,9 +26,8 @@ struct OdometryNoiseConfig {
       "standard deviation of the scale at the start: 0.02 where a metre may be measured as 0.98 m. "
       "Raise it if the diameter of the wheels is not known; lower it if they are calibrated");
     v("scale_walk", scale_walk, Range{0.0, 0.1}, "1/sqrt(m)",
-      "change of the scale with the way. Raise it if load and tyre pressure change; lower it if "
-      "the "
-      "scale is noisy");
+      "change of the scale with the travelled distance. Raise it if load and tyre pressure "
+      "change; lower it if the scale is noisy");
     v("translation_per_metre", translation_per_metre, Range{1e-4, 1.0}, "",
       "error in metres along each metre travelled beside that of the scale, where messages bear no "
       "covariance. Raise it if wheels slip; lower it if the pose drifts along in bare "
@@ -47,9 +46,9 @@ struct OdometryNoiseConfig {
       "error in radians of each radian turned, where messages bear no covariance. Raise it if "
       "wheels skid in turns; lower it if the heading slips in turns");
     v("error_scans", error_scans, Range{1.0, 1e4}, "scans",
-      "for how long errors of the registration last, as of matches with a car that drives along: "
-      "beside the odometry it counts for so much less. Raise it if traffic drags the pose along; "
-      "lower it if wheels slip for seconds");
+      "number of scans over which an error of the registration lasts, as of matches with cars "
+      "that drive along: beside this odometry a registration has the weight of one in so many. "
+      "Raise it if traffic drags the pose along; lower it if wheels slip for seconds");
   }
 };
 

@@ -24,24 +24,25 @@ struct DriftConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("max_deviation", max_deviation, Range{0.0, 1000.0}, "sigma",
-      "largest deviation of a loop from where the graph expects it, in standard deviations of what "
-      "the odometry drifts along the shortest way through the graph; 0: not checked. Raise it if "
-      "right loops are rejected after long ways; lower it if wrong loops of places that look alike "
-      "are accepted");
+      "largest deviation of a loop from where the graph expects it, in standard deviations of "
+      "the odometry's drift along the shortest path through the graph; 0: not checked. Raise "
+      "it if right loops are rejected after long drives; lower it if wrong loops of places "
+      "that look alike are accepted");
     v("base", base, Range{0.0, 100.0}, "m",
-      "standard deviation of a loop after no way at all: what submaps are bent. Raise it if right "
-      "loops are rejected after short ways; lower it if wrong ones are accepted");
+      "standard deviation of a loop's position before any drift, as submaps are bent "
+      "themselves. Raise it if right loops are rejected after short drives; lower it if wrong "
+      "ones are accepted");
     v("rate", rate, Range{0.0, 1.0}, "",
-      "standard deviation of the drift, in metres for each metre of way. Raise it if the odometry "
-      "drifts more than this; lower it if it drifts less");
+      "standard deviation of the drift, in metres for each metre travelled. Raise it if the "
+      "odometry drifts more than this; lower it if it drifts less");
     v("weak_rate", weak_rate, Range{0.0, 10.0}, "",
-      "standard deviation that is added for each metre of way where scans hardly hold the pose in "
-      "some direction, as in tunnels: in the plane or in height, as the direction is. Raise it if "
-      "right loops behind tunnels are rejected; lower it if wrong ones are accepted");
+      "standard deviation that is added for each metre travelled where scans hardly constrain "
+      "the pose: in the plane or in height, whichever they do not. Raise it if right loops behind "
+      "tunnels are rejected; lower it if wrong ones are accepted");
     v("vertical_share", vertical_share, Range{0.0, 10.0}, "",
-      "drift in height, as a share of the drift in the plane, but no less than base. Raise it if "
-      "right loops are rejected "
-      "for their height; lower it if storeys are taken for each other");
+      "drift in height where scans constrain it, as a share of the drift in the plane, but no less "
+      "than base. Raise it if right loops are rejected for their height; lower it if storeys are "
+      "taken for each other");
     v("rotation", rotation, Range{0.0, 180.0}, "deg/m",
       "drift in rotation for each metre of drift in the plane. Raise it if right loops are "
       "rejected for their rotation; lower it if wrong ones are accepted");
