@@ -61,6 +61,11 @@ double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base
   return *middle;
 }
 
+/// Points that several sensors saw are on no common rings.
+RingSpacing ringsOf(const Scan& scan) {
+  return scan.views.empty() ? RingSpacing(scan.points, scan.T_base_sensor) : RingSpacing();
+}
+
 }  // namespace
 
 const char* toString(OdometryOutcome outcome) {
@@ -133,8 +138,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   const Pose T_odom_predicted = T_odom_previous_ * predicted.T_previous_base;
   if (predicted.covariance) registered.prior_information = predicted.covariance->inverse();
   registered.sigma = sigmaFor(predicted);
-  const RingSpacing rings =
-      scan.views.empty() ? RingSpacing(scan.points, scan.T_base_sensor) : RingSpacing();
+  const RingSpacing rings = ringsOf(scan);
   registered.registration =
       registration_.align(registered.source_base, source_sweep_fractions_, map_, T_odom_predicted,
                           registered.sigma, rings, weighedInformation(predicted));
@@ -293,9 +297,8 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   map_.insert(map_points_base_, Pose::identity());
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
-  registered.registration =
-      registration_.align(registered.source_base, {}, map_, registered.T_odom_base,
-                          registered.sigma, RingSpacing(scan.points, scan.T_base_sensor));
+  registered.registration = registration_.align(
+      registered.source_base, {}, map_, registered.T_odom_base, registered.sigma, ringsOf(scan));
   registered.T_odom_base = registered.registration.T_odom_base;
 }
 

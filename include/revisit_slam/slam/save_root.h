@@ -7,8 +7,8 @@
 
 namespace revisit_slam {
 
-/// Whether what somebody has asked to be saved in `folder` (empty: the folder of the session) may
-/// be written there: below live/save_root, wherever `..` and links lead.
+/// Whether what somebody has asked to be saved in `folder` (empty: the folder of the session), or
+/// loaded from it, may be there: below live/save_root, wherever `..` and links lead.
 /// @throws std::runtime_error naming both, if not.
 void requireBelowSaveRoot(const LiveConfig& live, const std::string& folder);
 

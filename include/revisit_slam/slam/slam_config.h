@@ -68,8 +68,8 @@ struct LiveConfig {
       "folder in which each drive gets a folder of its own, written to during the drive; empty: "
       "files are written only on request");
     v("save_root", save_root, Choices{}, "",
-      "folder below which the service save may write; empty: anywhere that the process may. Set it "
-      "where others can call services");
+      "folder below which the service save may write and the services load may read; empty: "
+      "anywhere that the process may. Set it where others can call services");
     v("map", map, Choices{}, "",
       "folder of the session whose map the first drive goes on from; empty: a new map. Read by the "
       "odometry");

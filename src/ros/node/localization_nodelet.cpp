@@ -44,7 +44,7 @@ void LocalizationNodelet::start() {
   advertise(node);
   subscribe(node);
   loader_ = std::make_unique<MapLoader>(
-      getPrivateNodeHandle(), config_.live.folder,
+      getPrivateNodeHandle(), config_.live,
       [this](const std::string& folder, LoadMap::Response& response) { load(folder, response); });
 }
 

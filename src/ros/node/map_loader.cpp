@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/slam/save_root.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -22,8 +24,8 @@ std::string inFolder(const std::string& map, const std::string& folder) {
 
 }  // namespace
 
-MapLoader::MapLoader(const ros::NodeHandle& private_node, std::string relative_to, Load load)
-    : relative_to_(std::move(relative_to)), load_(std::move(load)) {
+MapLoader::MapLoader(const ros::NodeHandle& private_node, const LiveConfig& live, Load load)
+    : live_(live), load_(std::move(load)) {
   ros::NodeHandle node(private_node);
   node.setCallbackQueue(&queue_);
   service_ = node.advertiseService("load", &MapLoader::load, this);
@@ -36,7 +38,8 @@ void MapLoader::stop() {
 
 bool MapLoader::load(LoadMap::Request& request, LoadMap::Response& response) {
   try {
-    const std::string folder = inFolder(request.map, relative_to_);
+    const std::string folder = inFolder(request.map, live_.folder);
+    requireBelowSaveRoot(live_, folder);
     load_(folder, response);
     response.success = true;
     response.message =

@@ -38,7 +38,7 @@ std::unique_ptr<MapLoader> loadMapsToExtend(const ros::NodeHandle& private_node,
                                             const SlamConfig& config,
                                             std::function<void(const KnownMapPtr&)> take) {
   return std::make_unique<MapLoader>(
-      private_node, config.live.folder,
+      private_node, config.live,
       [config, take = std::move(take)](const std::string& folder, LoadMap::Response& response) {
         const KnownMapPtr map = read(folder, config);
         for (const LocalMapPtr& local_map : map->maps)

@@ -9,6 +9,8 @@
 #include <functional>
 #include <string>
 
+#include "revisit_slam/slam/slam_config.h"
+
 namespace revisit_slam {
 
 /// The service `load`, in a thread of its own: a map is read while everything else goes on.
@@ -18,15 +20,15 @@ class MapLoader {
   /// @throws std::exception with the reason where it cannot be used; nothing is handed on then.
   using Load = std::function<void(const std::string& folder, LoadMap::Response& response)>;
 
-  /// `relative_to`: folder in which relative ones are; empty: they are refused.
-  MapLoader(const ros::NodeHandle& private_node, std::string relative_to, Load load);
+  /// Relative folders are in live/folder; where that is empty they are refused.
+  MapLoader(const ros::NodeHandle& private_node, const LiveConfig& live, Load load);
   /// Returns when no call waits any more.
   void stop();
 
  private:
   bool load(LoadMap::Request& request, LoadMap::Response& response);
 
-  const std::string relative_to_;
+  const LiveConfig live_;
   const Load load_;
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
