@@ -53,6 +53,7 @@ void run(const Options& options) {
   std::cout << reportText(judgement, closed);
   if (options.out.empty()) return;
   writeMaps(options.out + "/maps", closed.maps);
+  writeTum(options.out + "/odometry.tum", closed.odometry);
   writeTum(options.out + "/trajectory.tum", closed.trajectory);
   writeWholeText(options.out + "/loops.json", reportJson(judgement, closed, options.limits));
 }

@@ -60,7 +60,10 @@ class ClosureRecorder : public SlamObserver {
   }
 
   ClosedDrive take(const GraphSession& session) {
-    return {std::move(maps_), std::move(at_the_end_), session.graph().loops(),
+    Trajectory odometry;
+    for (const GraphNode& node : session.graph().nodes())
+      odometry.push_back({node.stamp, node.T_odom_base});
+    return {std::move(maps_), std::move(at_the_end_), session.graph().loops(), std::move(odometry),
             trajectoryOf(graphOf(session.graph()))};
   }
 

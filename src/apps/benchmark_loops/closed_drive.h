@@ -26,7 +26,7 @@ struct ClosedDrive {
   std::vector<MapClosure> maps;          // by number
   std::vector<LoopProposal> at_the_end;  // retroactive, of the last search
   std::vector<LoopEdge> edges;           // as the back-end left them
-  Trajectory trajectory;
+  Trajectory odometry, trajectory;
 };
 
 /// The whole pipeline over all scans of a bag, with loops and graph map by map while nothing else
