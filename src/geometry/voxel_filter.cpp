@@ -3,6 +3,9 @@
 
 #include <tsl/robin_map.h>
 
+#include <algorithm>
+
+#include "revisit_slam/geometry/grid_points.h"
 #include "revisit_slam/geometry/spread_order.h"
 #include "revisit_slam/geometry/voxel.h"
 
@@ -55,12 +58,21 @@ const VoxelFilter::Indices& VoxelFilter::filterInOrder(const Points& input, doub
   kept_.clear();
   seen_.clear();
   const float scale = static_cast<float>(1.0 / voxel_size);
-  for (std::size_t i = 0; i < input.size(); ++i) {
-    const std::size_t index = next();
-    const Eigen::Vector3f& point = input[index];
-    if (!seen_.insert(voxelOf<float>(point * scale))) continue;
-    output.push_back(point);
-    kept_.push_back(static_cast<std::uint32_t>(index));
+  GridPoints<float> placed;
+  Eigen::Vector3f batch[GridPoints<float>::kMost];
+  std::uint32_t indices[GridPoints<float>::kMost];
+  for (std::size_t begin = 0; begin < input.size(); begin += placed.kMost) {
+    const std::size_t count = std::min(placed.kMost, input.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      indices[i] = static_cast<std::uint32_t>(next());
+      batch[i] = input[indices[i]];
+    }
+    toGrid(batch, count, scale, placed);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!seen_.insert(placed.voxel(i))) continue;
+      output.push_back(batch[i]);
+      kept_.push_back(indices[i]);
+    }
   }
   return kept_;
 }

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "revisit_slam/geometry/grid_points.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -11,20 +13,17 @@ const Voxel kNowhere = Voxel::Constant(std::numeric_limits<int>::max());
 }  // namespace
 
 void VoxelMeanGrid::insert(const Points& points, const Pose& T_grid_points) {
-  const Eigen::Matrix3f R = T_grid_points.rotationMatrix().cast<float>();
-  const Eigen::Vector3f t = T_grid_points.translation.cast<float>();
-  const float scale = 1.0f / edge_;
   Voxel previous = kNowhere;
   Cell* cell = nullptr;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f p = R * point + t;
-    const Voxel voxel = voxelOf<float>(p * scale);
-    if (voxel != previous) cell = &cellAt(voxel);
-    previous = voxel;
-    if (cell->count == kMostPoints) continue;
-    cell->sum += p - centre(voxel);
-    ++cell->count;
-  }
+  forEachInGrid(points, T_grid_points, 1.0f / edge_,
+                [&](const GridPoints<float>& placed, std::size_t i) {
+                  const Voxel voxel = placed.voxel(i);
+                  if (voxel != previous) cell = &cellAt(voxel);
+                  previous = voxel;
+                  if (cell->count == kMostPoints) return;
+                  cell->sum += placed.point(i) - centre(voxel);
+                  ++cell->count;
+                });
 }
 
 VoxelMeanGrid::Cell& VoxelMeanGrid::cellAt(const Voxel& voxel) {
