@@ -211,6 +211,9 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
     for (std::size_t q = 0; q < count; ++q) {
       float squared[kLanes];
       first[q].squaredDistances(query_block, squared);
+      const float least =
+          std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3]));
+      if (least >= best.second) continue;
       for (std::size_t lane = 0; lane < kLanes; ++lane)
         best.offer(squared[lane], block, q * kLanes + lane);
     }

@@ -59,6 +59,10 @@ ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, Carry ca
   const Eigen::Vector3f t = T_base_sensor.translation.cast<float>();
   const auto squared = [](double range) { return static_cast<float>(range * range); };
   const float nearest = squared(config.min_range), farthest = squared(config.max_range);
+  // By pointers: through the vectors the loop would load them anew for each point.
+  Eigen::Vector3f* const points_base = result.points_base.data() + chunk.begin;
+  float* const fractions =
+      result.sweep_fractions.empty() ? nullptr : result.sweep_fractions.data() + chunk.begin;
   ChunkCount count;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3f& point = scan.points[i];
@@ -71,10 +75,9 @@ ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, Carry ca
       ++count.on_body;
       continue;
     }
-    const std::size_t place = chunk.begin + count.kept++;
-    result.points_base[place] = carry(i, in_base);
-    if (!result.sweep_fractions.empty())
-      result.sweep_fractions[place] = std::min(1.0f, -fraction_per_second * scan.times[i]);
+    points_base[count.kept] = carry(i, in_base);
+    if (fractions) fractions[count.kept] = std::min(1.0f, -fraction_per_second * scan.times[i]);
+    ++count.kept;
   }
   return count;
 }
