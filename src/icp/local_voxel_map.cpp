@@ -11,8 +11,6 @@
 namespace revisit_slam {
 namespace {
 
-constexpr std::size_t kVectorWidth = 4;
-constexpr std::size_t kLargestCapacity = 100;
 constexpr std::size_t kBlocksAtATime = 128;
 /// The vertical part of the normal of a level plane is at least this.
 constexpr float kLevel = 0.9f;
@@ -30,17 +28,6 @@ std::array<Voxel, 26> makeNeighbourOffsets() {
 }
 
 const std::array<Voxel, 26> kNeighbourOffsets = makeNeighbourOffsets();
-
-/// Squared distances from a query to all points of a block, both relative to the block's corner.
-void squaredDistances(const float* coordinates, std::size_t capacity, std::size_t size,
-                      const Eigen::Vector3f& query, float* distances) {
-  const float *x = coordinates, *y = x + capacity, *z = y + capacity;
-  const std::size_t padded = (size + kVectorWidth - 1) / kVectorWidth * kVectorWidth;
-  for (std::size_t i = 0; i < padded; ++i) {
-    const float dx = x[i] - query.x(), dy = y[i] - query.y(), dz = z[i] - query.z();
-    distances[i] = dx * dx + dy * dy + dz * dz;
-  }
-}
 
 /// The best two of a stream of squared distances.
 struct BestTwo {
@@ -69,16 +56,15 @@ LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool local_shape
     : voxel_size_(config.voxel_size),
       has_shapes_(local_shapes),
       max_points_(static_cast<std::size_t>(config.max_points_per_voxel)),
-      capacity_((max_points_ + kVectorWidth - 1) / kVectorWidth * kVectorWidth),
+      quads_per_block_((max_points_ + kLanes - 1) / kLanes),
       min_spacing_squared_(
           static_cast<float>(voxel_size_ * voxel_size_ / config.max_points_per_voxel)) {}
 
 Points LocalVoxelMap::points(const Pose& T_target_odom) const {
   Points points;
   for (BlockIndex block = 0; block < sizes_.size(); ++block) {
-    const float* x = coordinates(block);
     for (std::size_t i = 0; i < sizes_[block]; ++i) {
-      const Eigen::Vector3f in_voxel(x[i], x[i + capacity_], x[i + 2 * capacity_]);
+      const Eigen::Vector3f in_voxel = inVoxel(block, i);
       points.push_back((T_target_odom * (corner(block) + in_voxel.cast<double>())).cast<float>());
     }
   }
@@ -115,34 +101,35 @@ void LocalVoxelMap::updateShapes(std::vector<BlockIndex>& changed) {
 
 PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
   PointMoments around;
+  VoxelNumbers::Reader block_of(block_of_);
   const auto add = [&](const Voxel& offset) {
-    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
-    if (entry == block_of_.end()) return;
+    const BlockIndex block = block_of.at(voxel + offset);
+    if (block == VoxelNumbers::kNone) return;
     const Eigen::Vector3f shift = static_cast<float>(voxel_size_) * offset.cast<float>();
-    around.add(moments_[entry->second], shift);
+    around.add(moments_[block], shift);
   };
   add(Voxel::Zero());
   for (const Voxel& offset : kNeighbourOffsets) add(offset);
   return around;
 }
 
-bool LocalVoxelMap::isLevel(const Voxel& voxel) const {
-  const auto entry = block_of_.find(packVoxel(voxel));
-  if (entry == block_of_.end()) return false;
-  const LocalShape& shape = shapes_[entry->second];
+bool LocalVoxelMap::isLevel(BlockIndex block) const {
+  if (block == VoxelNumbers::kNone) return false;
+  const LocalShape& shape = shapes_[block];
   return shape.kind == ShapeKind::planar && std::abs(shape.normal.z()) > kLevel;
 }
 
 double LocalVoxelMap::coveredShare(int height) const {
   std::size_t level = 0, covered = 0;
+  VoxelNumbers::Reader block_of(block_of_);
   for (BlockIndex block = 0; block < shapes_.size(); ++block) {
-    if (sizes_[block] == 0 || !isLevel(voxels_[block])) continue;
+    if (sizes_[block] == 0 || !isLevel(block)) continue;
     ++level;
     Voxel above = voxels_[block] + Voxel::UnitZ();
-    if (isLevel(above)) continue;  // the same plane
+    if (isLevel(block_of.at(above))) continue;  // the same plane
     for (int k = 2; k <= height; ++k) {
       above += Voxel::UnitZ();
-      if (!isLevel(above)) continue;
+      if (!isLevel(block_of.at(above))) continue;
       ++covered;
       break;
     }
@@ -151,38 +138,43 @@ double LocalVoxelMap::coveredShare(int height) const {
 }
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
-  const auto [entry, created] = block_of_.try_emplace(packVoxel(voxel), BlockIndex{0});
-  if (!created) return entry->second;
+  const auto next =
+      free_blocks_.empty() ? static_cast<BlockIndex>(sizes_.size()) : free_blocks_.back();
+  const BlockIndex block = block_of_.tryEmplace(voxel, next);
+  if (block != next) return block;
   if (free_blocks_.empty()) {
-    free_blocks_.push_back(static_cast<BlockIndex>(sizes_.size()));
-    coordinates_.resize(coordinates_.size() + 3 * capacity_);
+    quads_.resize(quads_.size() + quads_per_block_);
     voxels_.emplace_back();
     moments_.resize(has_shapes_ ? voxels_.size() : 0);
     shapes_.resize(moments_.size());
     sizes_.push_back(0);
+  } else {
+    free_blocks_.pop_back();
   }
-  const BlockIndex block = free_blocks_.back();
-  free_blocks_.pop_back();
+  std::fill_n(quads_.begin() + static_cast<std::ptrdiff_t>(block * quads_per_block_),
+              quads_per_block_, Quad::empty());
   voxels_[block] = voxel;
   if (has_shapes_) {
     moments_[block] = {};
     shapes_[block] = {};
   }
-  entry.value() = block;
   return block;
 }
 
 bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
   const std::size_t size = sizes_[block];
   if (size == max_points_) return false;
-  float distances[kLargestCapacity];
-  squaredDistances(coordinates(block), capacity_, size, point_voxel, distances);
-  for (std::size_t i = 0; i < size; ++i)
-    if (distances[i] < min_spacing_squared_) return false;
-  float* x = &coordinates_[block * 3 * capacity_];
-  x[size] = point_voxel.x();
-  x[size + capacity_] = point_voxel.y();
-  x[size + 2 * capacity_] = point_voxel.z();
+  Quad* const quads = &quads_[block * quads_per_block_];
+  for (std::size_t q = 0; q < quadsOf(block); ++q) {
+    float squared[kLanes];
+    quads[q].squaredDistances(point_voxel, squared);
+    for (const float each : squared)
+      if (each < min_spacing_squared_) return false;
+  }
+  Quad& quad = quads[size / kLanes];
+  quad.x[size % kLanes] = point_voxel.x();
+  quad.y[size % kLanes] = point_voxel.y();
+  quad.z[size % kLanes] = point_voxel.z();
   ++sizes_[block];
   return true;
 }
@@ -194,7 +186,7 @@ void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distan
   for (BlockIndex block = 0; block < sizes_.size(); ++block) {
     if (sizes_[block] == 0) continue;
     if ((voxels_[block].cast<float>() - centre).squaredNorm() <= limit) continue;
-    block_of_.erase(packVoxel(voxels_[block]));
+    block_of_.erase(voxels_[block]);
     sizes_[block] = 0;
     free_blocks_.push_back(block);
   }
@@ -209,15 +201,22 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   // Points outside the 27 voxels, and in voxels that are not looked into, are at least this far.
   float unseen = edge * edge;
 
+  VoxelNumbers::Reader block_of(block_of_);
   const auto look = [&](const Voxel& offset) {
-    const auto entry = block_of_.find(packVoxel(Voxel(voxel + offset)));
-    if (entry == block_of_.end()) return;
-    const BlockIndex block = entry->second;
-    float distances[kLargestCapacity];
-    squaredDistances(coordinates(block), capacity_, sizes_[block],
-                     query - edge * offset.cast<float>(), distances);
-    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): that has filled as many
-    for (std::size_t i = 0; i < sizes_[block]; ++i) best.offer(distances[i], block, i);
+    const BlockIndex block = block_of.at(voxel + offset);
+    if (block == VoxelNumbers::kNone) return;
+    const Eigen::Vector3f query_block = query - edge * offset.cast<float>();
+    const Quad* const first = quads(block);
+    const std::size_t count = quadsOf(block);
+    for (std::size_t q = 0; q < count; ++q) {
+      float squared[kLanes];
+      first[q].squaredDistances(query_block, squared);
+      const float least =
+          std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3]));
+      if (least >= best.second) continue;
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        best.offer(squared[lane], block, q * kLanes + lane);
+    }
   };
 
   look(Voxel::Zero());
@@ -241,9 +240,7 @@ bool LocalVoxelMap::nearest(const Eigen::Vector3d& query_odom, double max_distan
   }
   if (!best.found) return false;
 
-  const float* x = coordinates(best.block) + best.point;
-  const Eigen::Vector3f in_voxel(x[0], x[capacity_], x[2 * capacity_]);
-  neighbour.point_odom = corner(best.block) + in_voxel.cast<double>();
+  neighbour.point_odom = corner(best.block) + inVoxel(best.block, best.point).cast<double>();
   neighbour.shape = has_shapes_ ? shapes_[best.block] : LocalShape{};
   neighbour.distance = std::sqrt(best.best);
   neighbour.rival_distance = std::sqrt(std::min(best.second, unseen));

@@ -5,14 +5,7 @@
 
 #include "revisit_slam/icp/robust_kernel.h"
 #include "revisit_slam/util/chunks.h"
-
-// One build runs on every processor and uses wide registers where they exist. Neither variant fuses
-// multiplication and addition, so that both give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define REVISIT_SLAM_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define REVISIT_SLAM_VECTOR_CLONES
-#endif
+#include "revisit_slam/util/vector_clones.h"
 
 namespace revisit_slam {
 namespace {

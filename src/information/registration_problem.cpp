@@ -103,19 +103,17 @@ class Gatherer {
     Neighbour neighbour;
     if (map_.nearest(point_odom, map_.voxelSize(), neighbour))
       radius = std::min(radius, neighbour.distance + 2.0 * farthest + kRounding);
-    const float limit = static_cast<float>(radius * radius * (1.0 + 1e-5));
     around.clear();
     Eigen::Vector3f nearest = Eigen::Vector3f::Zero();
     float smallest = std::numeric_limits<float>::max();
-    map_.forEachAround(point_odom, radius, [&](const Eigen::Vector3f& relative_odom) {
-      const float squared = relative_odom.squaredNorm();
-      if (squared > limit) return;
-      around.push_back(R_base_odom_ * relative_odom);
-      if (squared < smallest) {
-        smallest = squared;
-        nearest = around.back();
-      }
-    });
+    map_.forEachAround(point_odom, radius,
+                       [&](const Eigen::Vector3f& relative_odom, float squared) {
+                         around.push_back(R_base_odom_ * relative_odom);
+                         if (squared < smallest) {
+                           smallest = squared;
+                           nearest = around.back();
+                         }
+                       });
     return nearest;
   }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/mapping/point_map.h"
 
+#include "revisit_slam/geometry/grid_points.h"
+
 namespace revisit_slam {
 
 void PointMap::insert(const Points& points_base, const Pose& T_world_base) {
-  const Eigen::Matrix3d R = T_world_base.rotationMatrix();
-  for (const Eigen::Vector3f& point_base : points_base) {
-    const Eigen::Vector3d point = R * point_base.cast<double>() + T_world_base.translation;
-    if (seen_.try_emplace(packVoxel(voxelOf<double>(point / voxel_size_)), char{}).second)
-      points_.push_back(point.cast<float>());
-  }
+  forEachInGrid(points_base, T_world_base, voxels_per_metre_,
+                [&](const GridPoints<double>& placed, std::size_t i) {
+                  if (seen_.insert(placed.voxel(i)))
+                    points_.push_back(placed.point(i).cast<float>());
+                });
 }
 
 }  // namespace revisit_slam

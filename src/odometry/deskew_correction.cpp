@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "revisit_slam/util/chunks.h"
+#include "revisit_slam/util/vector_clones.h"
 
 namespace revisit_slam {
 namespace {
@@ -18,6 +19,21 @@ Matrix6 correctionPerDeviation(const Matrix6& H, const RegistrationConfig& confi
 }
 
 }  // namespace
+
+/// p += fraction * (A * p + t), the sums in the order of Eigen's. `points`: x, y, z of each.
+REVISIT_SLAM_VECTOR_CLONES
+void addFractions(const float* fractions, std::size_t count, const Eigen::Matrix3f& A,
+                  const Eigen::Vector3f& t, float* __restrict points) {
+  const float a00 = A(0, 0), a01 = A(0, 1), a02 = A(0, 2), t0 = t[0];
+  const float a10 = A(1, 0), a11 = A(1, 1), a12 = A(1, 2), t1 = t[1];
+  const float a20 = A(2, 0), a21 = A(2, 1), a22 = A(2, 2), t2 = t[2];
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+    points[3 * i] = x + fractions[i] * ((a00 * x + (a01 * y + a02 * z)) + t0);
+    points[3 * i + 1] = y + fractions[i] * ((a10 * x + (a11 * y + a12 * z)) + t1);
+    points[3 * i + 2] = z + fractions[i] * ((a20 * x + (a21 * y + a22 * z)) + t2);
+  }
+}
 
 SweepPose::SweepPose(const Pose& T_odom_base, const Tangent& correction)
     : R_(T_odom_base.rotationMatrix()), t_(T_odom_base.translation) {
@@ -49,8 +65,8 @@ void applyDeskewCorrection(Points& points_base, const std::vector<float>& sweep_
       (T_end_begin.rotationMatrix() - Eigen::Matrix3d::Identity()).cast<float>();
   const Eigen::Vector3f moved = T_end_begin.translation.cast<float>();
   Chunks(points_base.size(), kChunkLength).forEach([&](std::size_t, Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      points_base[i] += sweep_fractions[i] * (turned * points_base[i] + moved);
+    addFractions(&sweep_fractions[chunk.begin], chunk.end - chunk.begin, turned, moved,
+                 points_base[chunk.begin].data());
   });
 }
 

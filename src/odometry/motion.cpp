@@ -32,12 +32,10 @@ ConstantMotion::ConstantMotion(const Tangent& velocity)
       omega_v_(omega_.cross(v_)),
       omega_omega_v_(omega_.cross(omega_v_)) {}
 
-Eigen::Vector3f ConstantMotion::carry(float seconds, const Eigen::Vector3f& point) const {
+ConstantMotion::Instant ConstantMotion::at(float seconds) const {
   const ScrewCoefficients k = screwCoefficients(seconds * turn_rate_);
   const float t1 = seconds, t2 = t1 * seconds, t3 = t2 * seconds;
-  const Eigen::Vector3f turned = omega_.cross(point);
-  return point + (k.a * t1) * turned + (k.b * t2) * omega_.cross(turned) + t1 * v_ +
-         (k.b * t2) * omega_v_ + (k.c * t3) * omega_omega_v_;
+  return {k.a * t1, k.b * t2, t1 * v_, (k.b * t2) * omega_v_, (k.c * t3) * omega_omega_v_};
 }
 
 }  // namespace revisit_slam

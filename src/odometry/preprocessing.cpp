@@ -33,15 +33,36 @@ std::vector<Chunk> chunksOf(const std::vector<ScanView>& views, std::vector<std:
   return chunks;
 }
 
+/// Carries points one after another. Beams that fire together share their instant.
+class Carrier {
+ public:
+  explicit Carrier(const ConstantMotion& motion) : motion_(motion), instant_(motion.at(0.0f)) {}
+
+  Eigen::Vector3f carry(float seconds, const Eigen::Vector3f& point) {
+    if (seconds != seconds_) instant_ = motion_.at(seconds);
+    seconds_ = seconds;
+    return motion_.carry(instant_, point);
+  }
+
+ private:
+  const ConstantMotion& motion_;
+  float seconds_ = 0.0f;
+  ConstantMotion::Instant instant_;
+};
+
 /// The points of one chunk, written to the front of the chunk's own part of the output.
-template <typename Motion>
-ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, const Motion* motion,
+template <typename Carry>
+ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, Carry carry,
                            float fraction_per_second, const OdometryConfig& config,
                            const Eigen::AlignedBox3f& body, Chunk chunk, PreprocessedScan& result) {
   const Eigen::Matrix3f R = T_base_sensor.rotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_base_sensor.translation.cast<float>();
   const auto squared = [](double range) { return static_cast<float>(range * range); };
   const float nearest = squared(config.min_range), farthest = squared(config.max_range);
+  // By pointers: through the vectors the loop would load them anew for each point.
+  Eigen::Vector3f* const points_base = result.points_base.data() + chunk.begin;
+  float* const fractions =
+      result.sweep_fractions.empty() ? nullptr : result.sweep_fractions.data() + chunk.begin;
   ChunkCount count;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3f& point = scan.points[i];
@@ -54,10 +75,9 @@ ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, const Mo
       ++count.on_body;
       continue;
     }
-    const std::size_t place = chunk.begin + count.kept++;
-    result.points_base[place] = motion ? motion->carry(scan.times[i], in_base) : in_base;
-    if (!result.sweep_fractions.empty())
-      result.sweep_fractions[place] = std::min(1.0f, -fraction_per_second * scan.times[i]);
+    points_base[count.kept] = carry(i, in_base);
+    if (fractions) fractions[count.kept] = std::min(1.0f, -fraction_per_second * scan.times[i]);
+    ++count.kept;
   }
   return count;
 }
@@ -79,7 +99,6 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   const bool has_fractions = result.deskewed && seconds_since_previous > 0.0;
   result.points_base.resize(scan.points.size());
   if (has_fractions) result.sweep_fractions.resize(scan.points.size());
-  const ConstantMotion* motion = result.deskewed ? &motion_base : nullptr;
   const auto fraction_per_second =
       static_cast<float>(has_fractions ? 1.0 / seconds_since_previous : 0.0);
   const std::vector<ScanView> views = viewsOf(scan);
@@ -88,11 +107,22 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   const Eigen::AlignedBox3f body = config.bodyBox();
   std::vector<ChunkCount> counts(chunks.size());
   Chunks(chunks.size(), 1).forEach([&](std::size_t index, Chunk) {
-    const auto run = [&](const auto* with) {
-      return preprocessChunk(scan, views[view_of[index]].T_base_sensor, with, fraction_per_second,
+    const auto run = [&](auto carry) {
+      return preprocessChunk(scan, views[view_of[index]].T_base_sensor, carry, fraction_per_second,
                              config, body, chunks[index], result);
     };
-    counts[index] = result.deskewed && sweep != nullptr ? run(sweep) : run(motion);
+    if (!result.deskewed) {
+      counts[index] = run([](std::size_t, const Eigen::Vector3f& point) { return point; });
+    } else if (sweep != nullptr) {
+      counts[index] = run([&](std::size_t i, const Eigen::Vector3f& point) {
+        return sweep->carry(scan.times[i], point);
+      });
+    } else {
+      Carrier carrier(motion_base);
+      counts[index] = run([&](std::size_t i, const Eigen::Vector3f& point) {
+        return carrier.carry(scan.times[i], point);
+      });
+    }
   });
 
   std::size_t kept = 0;  // close the gaps between the chunks

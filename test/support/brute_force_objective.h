@@ -22,7 +22,7 @@ inline RegistrationProblem withAllCandidates(const RegistrationProblem& problem,
       for (std::size_t i = 0; i < points; ++i) {
         const Eigen::Vector3f& p = all.points_base[chunk * RegistrationProblem::kChunkLength + i];
         map.forEachAround(T_odom_base * p.cast<double>(), 6.0,
-                          [&](const Eigen::Vector3f& relative) {
+                          [&](const Eigen::Vector3f& relative, float) {
                             candidates.relative_base.push_back(R_base_odom * relative);
                           });
         candidates.begin.push_back(static_cast<std::uint32_t>(candidates.relative_base.size()));

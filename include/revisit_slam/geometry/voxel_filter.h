@@ -4,18 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "revisit_slam/geometry/voxel_set.h"
 #include "revisit_slam/types/scan.h"
 
 namespace revisit_slam {
 
-/// Down-samples clouds to the first point of each voxel, in the order of the input. Keeps its table
-/// between calls, so that a call allocates nothing once the largest cloud has been seen.
+/// Down-samples clouds to the first point of each voxel, in the order of the input. Keeps its
+/// memory between calls, so that a call allocates nothing once the largest cloud has been seen.
 class VoxelFilter {
  public:
   using Indices = std::vector<std::uint32_t>;
 
   /// Returns which points of the input the output consists of, until the next call.
-  /// `voxel_size` in metres. Coordinates up to 65,000 voxels from the origin are told apart.
+  /// `voxel_size` in metres.
   const Indices& filter(const Points& input, double voxel_size, Points& output);
 
   /// The same with the input taken in a spread order. The first point of a voxel in the order of
@@ -32,14 +33,8 @@ class VoxelFilter {
   template <typename NextIndex>
   const Indices& filterInOrder(const Points& input, double voxel_size, Points& output,
                                NextIndex next);
-  void prepareTable(std::size_t points);
-  bool insert(std::uint64_t key);
 
-  /// Open addressing; an entry is a packed voxel and the call that wrote it, so that the entries of
-  /// earlier calls are empty places.
-  std::vector<std::uint64_t> table_;
-  std::uint64_t mask_ = 0;
-  std::uint64_t call_ = 0;
+  VoxelSet seen_;
   Indices kept_;
 };
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/voxel_numbers.h"
 #include "revisit_slam/icp/local_shape.h"
 #include "revisit_slam/icp/local_voxel_map_config.h"
 #include "revisit_slam/types/pose.h"
@@ -56,21 +54,48 @@ class LocalVoxelMap {
   /// and at most `height` voxels up. Floors under ceilings.
   double coveredShare(int height) const;
 
-  /// Calls see(point_odom - query_odom) for every point of every voxel that reaches into the ball
-  /// around the query, in an order that depends on the voxels alone.
+  /// Calls see(point_odom - query_odom, its squared length) for every point within `radius` of the
+  /// query, in an order that depends on the voxels alone. The radius is taken a little larger.
   template <typename See>
   void forEachAround(const Eigen::Vector3d& query_odom, double radius, const See& see) const;
 
  private:
   using BlockIndex = std::uint32_t;
 
+  static constexpr std::size_t kLanes = 4;
+  /// As many points as a vector register takes, from their voxel's corner, metres. Where there is
+  /// no point, one that is farther than any.
+  struct alignas(16) Quad {
+    float x[kLanes], y[kLanes], z[kLanes];
+
+    static constexpr float kNowhere = 1e18f;  // its square is still a float
+    static Quad empty() {
+      Quad quad;
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        quad.x[lane] = quad.y[lane] = quad.z[lane] = kNowhere;
+      return quad;
+    }
+    Eigen::Vector3f at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    /// Squared distances to a query that is given as the points are.
+    void squaredDistances(const Eigen::Vector3f& query, float (&squared)[kLanes]) const {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const float dx = x[lane] - query.x(), dy = y[lane] - query.y(), dz = z[lane] - query.z();
+        squared[lane] = dx * dx + dy * dy + dz * dz;
+      }
+    }
+  };
+
   BlockIndex findOrCreateBlock(const Voxel& voxel);
   /// @return whether the point entered.
   bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
   void updateShapes(std::vector<BlockIndex>& changed);
-  bool isLevel(const Voxel& voxel) const;
+  bool isLevel(BlockIndex block) const;
   PointMoments momentsAround(const Voxel& voxel) const;
-  const float* coordinates(BlockIndex block) const { return &coordinates_[block * 3 * capacity_]; }
+  const Quad* quads(BlockIndex block) const { return &quads_[block * quads_per_block_]; }
+  std::size_t quadsOf(BlockIndex block) const { return (sizes_[block] + kLanes - 1) / kLanes; }
+  Eigen::Vector3f inVoxel(BlockIndex block, std::size_t point) const {
+    return quads(block)[point / kLanes].at(point % kLanes);
+  }
   Eigen::Vector3d corner(BlockIndex block) const {
     return voxel_size_ * voxels_[block].cast<double>();
   }
@@ -78,11 +103,11 @@ class LocalVoxelMap {
   double voxel_size_;
   bool has_shapes_;
   std::size_t max_points_;
-  std::size_t capacity_;  // max_points_ rounded up for whole vector registers
+  std::size_t quads_per_block_;
   float min_spacing_squared_;
 
-  tsl::robin_map<std::uint64_t, BlockIndex, VoxelKeyHash> block_of_;
-  std::vector<float> coordinates_;  // per block: x…, y…, z… from the voxel's corner, metres
+  VoxelNumbers block_of_;
+  std::vector<Quad> quads_;
   std::vector<Voxel> voxels_;
   std::vector<PointMoments> moments_;  // from the voxel's corner; empty without shapes
   std::vector<LocalShape> shapes_;     // empty without shapes
@@ -100,6 +125,7 @@ void LocalVoxelMap::forEachAround(const Eigen::Vector3d& query_odom, double radi
   const Eigen::Vector3f query = (query_odom - voxel_size_ * home.cast<double>()).cast<float>();
   const float edge = static_cast<float>(voxel_size_);
   const float limit = static_cast<float>(radius * radius * (1.0 + 1e-5));
+  VoxelNumbers::Reader block_of(block_of_);
   for (int x = first.x(); x <= last.x(); ++x)
     for (int y = first.y(); y <= last.y(); ++y)
       for (int z = first.z(); z <= last.z(); ++z) {
@@ -108,11 +134,20 @@ void LocalVoxelMap::forEachAround(const Eigen::Vector3d& query_odom, double radi
         const Eigen::Vector3f outside =
             corner.cwiseMax(-corner - Eigen::Vector3f::Constant(edge)).cwiseMax(0.0f);
         if (outside.squaredNorm() > limit) continue;
-        const auto entry = block_of_.find(packVoxel(Voxel(home + offset)));
-        if (entry == block_of_.end()) continue;
-        const float* p = coordinates(entry->second);
-        for (std::size_t i = 0; i < sizes_[entry->second]; ++i, ++p)
-          see(Eigen::Vector3f(p[0], p[capacity_], p[2 * capacity_]) + corner);
+        const BlockIndex block = block_of.at(home + offset);
+        if (block == VoxelNumbers::kNone) continue;
+        for (const Quad *quad = quads(block), *end = quad + quadsOf(block); quad != end; ++quad) {
+          Quad relative;
+          float squared[kLanes];
+          for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const float px = relative.x[lane] = quad->x[lane] + corner.x();
+            const float py = relative.y[lane] = quad->y[lane] + corner.y();
+            const float pz = relative.z[lane] = quad->z[lane] + corner.z();
+            squared[lane] = px * px + (py * py + pz * pz);
+          }
+          for (std::size_t lane = 0; lane < kLanes; ++lane)
+            if (squared[lane] <= limit) see(relative.at(lane), squared[lane]);
+        }
       }
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tsl/robin_map.h>
-
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/voxel_set.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
 
@@ -13,15 +11,15 @@ namespace revisit_slam {
 class PointMap {
  public:
   /// `voxel_size` in metres.
-  explicit PointMap(double voxel_size) : voxel_size_(voxel_size) {}
+  explicit PointMap(double voxel_size) : voxels_per_metre_(1.0 / voxel_size) {}
 
   void insert(const Points& points_base, const Pose& T_world_base);
   const Points& points() const { return points_; }
 
  private:
-  double voxel_size_;
+  double voxels_per_metre_;
   Points points_;
-  tsl::robin_map<std::uint64_t, char, VoxelKeyHash> seen_;
+  VoxelSet seen_;
 };
 
 }  // namespace revisit_slam

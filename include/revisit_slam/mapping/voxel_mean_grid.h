@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/voxel_numbers.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
 
@@ -41,12 +39,14 @@ class VoxelMeanGrid {
     std::uint32_t count = 0;
   };
 
+  Cell& cellAt(const Voxel& voxel);
   Eigen::Vector3f centre(const Voxel& voxel) const {
     return edge_ * (voxel.cast<float>() + Eigen::Vector3f::Constant(0.5f));
   }
 
   float edge_;
-  tsl::robin_map<std::uint64_t, Cell, VoxelKeyHash> cells_;
+  VoxelNumbers cell_of_;
+  std::vector<Cell> cells_;
 };
 
 }  // namespace revisit_slam

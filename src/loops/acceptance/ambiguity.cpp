@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/acceptance/ambiguity.h"
 
-#include <tsl/robin_set.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/voxel_numbers.h"
 
 namespace revisit_slam {
 namespace {
@@ -43,7 +40,7 @@ class Overlay {
     const Eigen::Matrix3f R = T.rotationMatrix().cast<float>();
     const Eigen::Vector3f t = T.translation.cast<float>();
     for (const Eigen::Vector3f& point : uprightOf(target, Eigen::Vector3f::UnitZ()))
-      cells_.insert(packVoxel(voxelOf<float>(point / edge)));
+      cells_.tryEmplace(voxelOf<float>(point / edge), 0);
     for (const Eigen::Vector3f& point : uprightOf(source, R.transpose().col(2))) {
       const Eigen::Vector3f moved = R * point + t;
       samples_.push_back(moved);
@@ -54,15 +51,16 @@ class Overlay {
   /// How many samples fill cells when shifted by these steps of half an edge.
   std::size_t score(int x, int y) const {
     const Eigen::Vector3f shift = 0.5f * edge_ * Eigen::Vector3f(x, y, 0);
+    VoxelNumbers::Reader cells(cells_);
     std::size_t filled = 0;
     for (const Eigen::Vector3f& sample : samples_)
-      filled += cells_.count(packVoxel(voxelOf<float>((sample + shift) / edge_)));
+      filled += cells.at(voxelOf<float>((sample + shift) / edge_)) != VoxelNumbers::kNone;
     return filled;
   }
 
  private:
   float edge_;
-  tsl::robin_set<std::uint64_t, VoxelKeyHash> cells_;
+  VoxelNumbers cells_;  // all of number 0
   Points samples_;
 };
 

@@ -79,7 +79,12 @@ SurfelGrid::SurfelGrid(const Surfels& surfels, double reach) : edge_(static_cast
   surfels_.reserve(surfels.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     surfels_.push_back(surfels[order[i].second]);
-    cells_.try_emplace(order[i].first, Cell{i, i}).first.value().end = i + 1;
+    if (i == 0 || order[i].first != order[i - 1].first) {
+      cell_of_.tryEmplace(cellOf(surfels_[i].point, edge_),
+                          static_cast<std::uint32_t>(cells_.size()));
+      cells_.push_back({i, i});
+    }
+    cells_.back().end = i + 1;
   }
 }
 
@@ -96,13 +101,14 @@ const Surfel* SurfelGrid::nearest(const Eigen::Vector3f& point, const Eigen::Vec
     best = squared;
     found = &surfel;
   };
+  VoxelNumbers::Reader cell_of(cell_of_);
   const auto look = [&](const Voxel& voxel) {
     const Eigen::Array3f low = edge_ * voxel.cast<float>().array() - point.array();
     const float gap = low.max(-low - edge_).max(0.0f).matrix().squaredNorm();
     if (gap >= best) return;
-    const auto cell = cells_.find(packVoxel(voxel));
-    if (cell == cells_.end()) return;
-    for (std::uint32_t i = cell->second.begin; i < cell->second.end; ++i) offer(surfels_[i]);
+    const std::uint32_t cell = cell_of.at(voxel);
+    if (cell == VoxelNumbers::kNone) return;
+    for (std::uint32_t i = cells_[cell].begin; i < cells_[cell].end; ++i) offer(surfels_[i]);
   };
   if (guess) offer(*guess);
   const Voxel home = cellOf(point, edge_);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/voxel_numbers.h"
 #include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
@@ -72,7 +70,8 @@ class SurfelGrid {
 
   float edge_;
   Surfels surfels_;  // by cell
-  tsl::robin_map<std::uint64_t, Cell, VoxelKeyHash> cells_;
+  VoxelNumbers cell_of_;
+  std::vector<Cell> cells_;
 };
 
 }  // namespace revisit_slam
