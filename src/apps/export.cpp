@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> formats{"pcd"};
   double resolution = 0.0, tile = 0.0;
   bool no_submaps = false, no_graph = false, no_occupancy = false, force = false, quiet = false;
+  bool only_static = false;
 };
 
 Options parseOptions(CLI::App& app, int argc, char** argv) {
@@ -38,6 +39,8 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   app.add_option("--keyposes", options.keyposes,
                  "file that says where the submaps are in the map of many sessions (fleet)")
       ->check(CLI::ExistingFile);
+  app.add_flag("--static", options.only_static,
+               "points of what moved go to map_dynamic.* instead, and out of OctoMap and grid");
   app.add_flag("--no-submaps", options.no_submaps, "no clouds of single submaps");
   app.add_flag("--no-graph", options.no_graph, "no trajectories, no pose graph, no tables");
   app.add_flag("--no-occupancy", options.no_occupancy, "no OctoMap, no grid");
@@ -55,6 +58,7 @@ ExportConfig configOf(const Options& options) {
   config.graph = !options.no_graph;
   config.submaps = !options.no_submaps;
   config.occupancy = !options.no_occupancy;
+  config.remove_dynamic = options.only_static;
   if (options.resolution > 0.0) config.resolution = options.resolution;
   if (options.tile > 0.0) config.tile = options.tile;
   return config;

@@ -37,6 +37,7 @@ DriveReport reportOf(const Options& o, const Route& route, const World& world,
   report.length = route.arcAt(report.end);
   report.triangles = world.still.triangles.size();
   report.moving_cars = world.cars.size();
+  report.people = world.people.size();
   report.revisits = revisitsUntil(route, report.end);
   return report;
 }
@@ -48,9 +49,10 @@ void run(Options o) {
   const ScanSimulator simulator(world, route, makeSensor(o.sensor, o.columns), o.scan);
   const int count = scanCount(route, o.max_scans);
   if (!o.quiet) {
-    std::fprintf(stderr, "%s: %.0f m, %.1f s, %d scans, %zu triangles, %zu moving cars\n",
+    std::fprintf(stderr,
+                 "%s: %.0f m, %.1f s, %d scans, %zu triangles, %zu moving cars, %zu people\n",
                  o.world.c_str(), route.length(), secondsBetween(route.start(), route.end()), count,
-                 world.still.triangles.size(), world.cars.size());
+                 world.still.triangles.size(), world.cars.size(), world.people.size());
   }
   const Summary summary = writeBag(o, world, route, simulator, count);
   writeTruth(besides(o.out, ".gt.tum"), route, summary.last_points);

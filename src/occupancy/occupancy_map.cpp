@@ -116,6 +116,17 @@ OccupancyBlock OccupancyMap::composed(const Voxel& block,
   return result;
 }
 
+void OccupancyMap::markFree(const std::function<bool(const Voxel&)>& is_free) {
+  for (OccupancyBlock& block : blocks_) {
+    VoxelMask freed;
+    block.occupied.forEach([&](int bit) {
+      if (is_free(voxelAt(block.block, bit))) freed.set(bit);
+    });
+    block.occupied = block.occupied & ~freed;
+    block.free = block.free | freed;
+  }
+}
+
 std::size_t OccupancyMap::bytes() const {
   return blocks_.capacity() * sizeof(OccupancyBlock) + submaps_.size() * sizeof(Placed);
 }

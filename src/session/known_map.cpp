@@ -95,9 +95,9 @@ MapUpdate readAll(const Session& session, const SubmapClosed& closed, const Sess
     return numbers(
         readSubmap(submapFile(session.folder, closed.id, session.info.id),
                    {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals,
-                    SubmapRecord::detail, SubmapRecord::occupancy}));
+                    SubmapRecord::detail, SubmapRecord::occupancy, SubmapRecord::sightings}));
   } catch (const std::runtime_error&) {
-    return {known, known->points, nullptr, nullptr};
+    return {known, known->points, {}, nullptr, nullptr};
   }
 }
 

@@ -19,15 +19,19 @@
 #include "revisit_slam/io/octomap_file.h"
 #include "revisit_slam/io/pcd.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/mapping/dynamic_point_filter.h"
 #include "revisit_slam/mapping/point_map.h"
+#include "revisit_slam/occupancy/dynamic_voxels.h"
 #include "revisit_slam/session/georeference_files.h"
+#include "revisit_slam/session/seen_points.h"
 #include "revisit_slam/session/stored_submap.h"
 #include "revisit_slam/types/session_offsets.h"
 
 namespace revisit_slam {
 namespace {
 
-constexpr double kTile = 200.0;  // m, of the map in memory at a time
+constexpr double kTile = 200.0;      // m, of the map in memory at a time
+constexpr double kBesideTile = 1.0;  // m
 /// Larger than submaps are long, so that every passage through a cell has a keypose in it.
 constexpr double kConsistencyCell = 40.0;  // m
 
@@ -62,6 +66,21 @@ Points within(const Tile& tile, double edge, const Points& points, const Pose& T
   return inside;
 }
 
+/// With what is beside the tile and matters within.
+Eigen::AlignedBox2f boxOf(const Tile& tile, double edge) {
+  const Eigen::Vector2d corner(edge * tile.first, edge * tile.second);
+  const Eigen::Array2d beside = Eigen::Array2d::Constant(kBesideTile);
+  return {Eigen::Vector2f((corner.array() - beside).cast<float>()),
+          Eigen::Vector2f((corner.array() + edge + beside).cast<float>())};
+}
+
+/// The points of a tile, one for each voxel.
+struct TileCloud {
+  explicit TileCloud(double voxel_size) : kept(voxel_size), dynamic(voxel_size) {}
+
+  PointMap kept, dynamic;
+};
+
 void makeFolder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
@@ -84,7 +103,7 @@ class MapExport {
     makeFolder(folder_);
     if (config_.graph) writeGraphFiles();
     if (config_.submaps) writeSubmaps();
-    if (!config_.clouds.empty()) writeClouds();
+    if (!config_.clouds.empty() || (config_.occupancy && removesDynamic())) writeClouds();
     if (config_.occupancy && parameters_.occupancy.enabled && !session_.submaps.empty())
       guarded("the map of the occupancy", [&] { writeOccupancy(); });
     tell(1.0);
@@ -141,9 +160,9 @@ class MapExport {
   }
 
   /// What is wanted of a submap; nothing, and a notice, where its file cannot be used.
-  MapUpdate read(const SubmapClosed& submap, SubmapRecord wanted) {
+  MapUpdate read(const SubmapClosed& submap, const std::set<SubmapRecord>& wanted) {
     try {
-      return readSubmap(submapFile(session_.folder, submap.id, session_.info.id), {wanted});
+      return readSubmap(submapFile(session_.folder, submap.id, session_.info.id), wanted);
     } catch (const std::runtime_error& error) {
       note(std::string(error.what()) + "; the map is without submap " +
            std::to_string(submap.id.value));
@@ -161,11 +180,15 @@ class MapExport {
     std::size_t done = 0;
     for (const SubmapClosed& submap : session_.submaps) {
       tell(0.1 + 0.2 * static_cast<double>(done++) / static_cast<double>(session_.submaps.size()));
-      const Points points = read(submap, SubmapRecord::detail).detail_submap;
+      const Points points = read(submap, {SubmapRecord::detail}).detail_submap;
       const std::string name =
           std::filesystem::path(submapFile("", submap.id, session_.info.id)).stem().string();
       if (!points.empty()) writePcd(file("submaps/" + name + ".pcd"), points);
     }
+  }
+
+  bool removesDynamic() const {
+    return config_.remove_dynamic || parameters_.mapping.dynamic_points.remove;
   }
 
   /// One point for each voxel, a tile of the map in memory at a time.
@@ -178,24 +201,29 @@ class MapExport {
           submaps_of_tile[tile].push_back(&submap);
     if (submaps_of_tile.empty()) return note("there is no map: no submap is closed");
     if (config_.tile) makeFolder(file("map_tiles"));
-    Outputs whole;
     std::size_t done = 0;
     const auto write_all = [&](auto then) {
       for (const auto& [tile, submaps] : submaps_of_tile) {
-        const Points points = merged(tile, edge, submaps);
-        then(tile, points);
+        const TileCloud cloud = merged(tile, edge, submaps);
+        then(tile, cloud);
+        if (removesDynamic()) dynamic_voxels_.add(cloud.kept.points(), cloud.dynamic.points());
         tell(0.3 + 0.5 * static_cast<double>(++done) / static_cast<double>(submaps_of_tile.size()));
       }
     };
     if (config_.tile)
-      return write_all([&](const Tile& tile, const Points& points) { writeTile(tile, points); });
+      return write_all([&](const Tile& tile, const TileCloud& cloud) {
+        writeTile("map", tile, cloud.kept.points());
+        writeTile("map_dynamic", tile, cloud.dynamic.points());
+      });
     // Streams of all formats at a time, so that submaps are read once.
-    for (const std::string& format : config_.clouds)
-      whole.emplace_back(std::make_unique<Output>(format, file("map." + format)));
-    write_all([&](const Tile&, const Points& points) {
-      for (const auto& output : whole) output->stream->write(points);
+    Outputs kept = outputsOf("map"), dynamic;
+    if (removesDynamic()) dynamic = outputsOf("map_dynamic");
+    write_all([&](const Tile&, const TileCloud& cloud) {
+      for (const auto& output : kept) output->stream->write(cloud.kept.points());
+      for (const auto& output : dynamic) output->stream->write(cloud.dynamic.points());
     });
-    for (const auto& output : whole) output->finish();
+    for (const auto& output : kept) output->finish();
+    for (const auto& output : dynamic) output->finish();
   }
 
   /// A cloud that is there when it is whole.
@@ -214,19 +242,57 @@ class MapExport {
   };
   using Outputs = std::vector<std::unique_ptr<Output>>;
 
-  Points merged(const Tile& tile, double edge, const std::vector<const SubmapClosed*>& submaps) {
-    PointMap map(std::max(config_.resolution.value_or(0.0), parameters_.mapping.detail_voxel_size));
-    for (const SubmapClosed* submap : submaps)
-      map.insert(
-          within(tile, edge, read(*submap, SubmapRecord::detail).detail_submap, placeOf(*submap)),
-          Pose::identity());
-    return map.points();
+  Outputs outputsOf(const std::string& name) const {
+    Outputs outputs;
+    for (const std::string& format : config_.clouds)
+      outputs.emplace_back(std::make_unique<Output>(format, file(name + "." + format)));
+    return outputs;
   }
 
-  void writeTile(const Tile& tile, const Points& points) {
+  TileCloud merged(const Tile& tile, double edge, const std::vector<const SubmapClosed*>& submaps) {
+    std::optional<DynamicPointFilter> filter;
+    if (removesDynamic()) filter = filterOf(boxOf(tile, edge), submaps);
+    TileCloud cloud(
+        std::max(config_.resolution.value_or(0.0), parameters_.mapping.detail_voxel_size));
+    for (const SubmapClosed* submap : submaps) {
+      const Points points =
+          within(tile, edge, read(*submap, {SubmapRecord::detail}).detail_submap, placeOf(*submap));
+      if (!filter) {
+        cloud.kept.insert(points, Pose::identity());
+        continue;
+      }
+      Points kept, dynamic;
+      for (const Eigen::Vector3f& point : points)
+        (filter->isDynamic(point) ? dynamic : kept).push_back(point);
+      cloud.kept.insert(kept, Pose::identity());
+      cloud.dynamic.insert(dynamic, Pose::identity());
+    }
+    return cloud;
+  }
+
+  DynamicPointFilter filterOf(const Eigen::AlignedBox2f& box_map,
+                              const std::vector<const SubmapClosed*>& submaps) {
+    DynamicPointFilter filter(parameters_.mapping.dynamic_points,
+                              parameters_.mapping.detail_voxel_size, box_map);
+    for (const SubmapClosed* submap : submaps) filter.add(seenPointsOf(*submap));
+    for (const SubmapClosed* submap : submaps) filter.lookThrough(seenPointsOf(*submap));
+    return filter;
+  }
+
+  SeenPoints seenPointsOf(const SubmapClosed& submap) {
+    const MapUpdate update =
+        read(submap, {SubmapRecord::trajectory, SubmapRecord::detail, SubmapRecord::sightings});
+    if (update.submap && update.sightings.empty())
+      note(
+          "submaps of older software do not tell when their points were seen: what moved stays in "
+          "the map where nothing else tells");
+    return seenPoints(update, placeOf(submap), session_.submaps.front().stamp);
+  }
+
+  void writeTile(const std::string& name, const Tile& tile, const Points& points) {
     if (points.empty()) return;
     for (const std::string& format : config_.clouds) {
-      Output output(format, file("map_tiles/map_" + std::to_string(tile.first) + "_" +
+      Output output(format, file("map_tiles/" + name + "_" + std::to_string(tile.first) + "_" +
                                  std::to_string(tile.second) + "." + format));
       output.stream->write(points);
       output.finish();
@@ -236,9 +302,10 @@ class MapExport {
   void writeOccupancy() {
     OccupancyMap map(parameters_.occupancy);
     for (const SubmapClosed& submap : session_.submaps)
-      if (const SubmapOccupancyPtr occupancy = read(submap, SubmapRecord::occupancy).occupancy)
+      if (const SubmapOccupancyPtr occupancy = read(submap, {SubmapRecord::occupancy}).occupancy)
         map.place(submap.id, occupancy, placeOf(submap));
     map.compose();
+    if (removesDynamic()) dynamic_voxels_.clear(map);
     tell(0.9);
     guarded("map.bt", [&] { writeOctree(map); });
     guarded("map.pgm", [&] { writeProjectedGrid(map); });
@@ -282,6 +349,7 @@ class MapExport {
   const ExportProgress& progress_;
   StoredParameters parameters_;
   const SessionOffsets<ScanId> scans_;
+  DynamicVoxels dynamic_voxels_{parameters_.occupancy.resolution};
   std::vector<std::string> notices_;
 };
 

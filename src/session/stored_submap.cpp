@@ -65,6 +65,18 @@ ByteWriter occupancyOf(const SubmapOccupancy& occupancy) {
   return bytes;
 }
 
+ByteWriter sightingsOf(const Sightings& sightings) {
+  ByteWriter bytes;
+  bytes.put(static_cast<std::uint32_t>(sightings.groups.size()));
+  for (const PointsSeen& group : sightings.groups) {
+    bytes.put(group.scan);
+    for (int axis = 0; axis < 3; ++axis) bytes.put(group.sensor_base[axis]);
+    bytes.put(group.end);
+  }
+  bytes.putAll(sightings.lasted);
+  return bytes;
+}
+
 void readHead(ByteReader bytes, Submap& submap) {
   submap.id = bytes.id<SubmapId>();
   submap.local_map = bytes.id<LocalMapId>();
@@ -123,6 +135,25 @@ SubmapOccupancyPtr readOccupancy(ByteReader bytes) {
   return occupancy;
 }
 
+Sightings readSightings(ByteReader bytes) {
+  Sightings sightings;
+  const auto groups = bytes.get<std::uint32_t>();
+  std::uint32_t last = 0;
+  for (std::uint32_t i = 0; i < groups; ++i) {
+    PointsSeen group;
+    group.scan = bytes.get<std::uint32_t>();
+    for (int axis = 0; axis < 3; ++axis) group.sensor_base[axis] = bytes.get<float>();
+    group.end = bytes.get<std::uint32_t>();
+    if (group.end < last || !(group.sensor_base.cwiseAbs().maxCoeff() < kFarthest))
+      throw std::runtime_error("sightings are none");
+    last = group.end;
+    sightings.groups.push_back(group);
+  }
+  sightings.lasted = bytes.rest<std::uint16_t>();
+  if (sightings.lasted.size() != last) throw std::runtime_error("sightings are of other points");
+  return sightings;
+}
+
 void take(const Record& record, Submap& submap, MapUpdate& update) {
   const ByteReader bytes(record.payload);
   switch (static_cast<SubmapRecord>(record.type)) {
@@ -142,6 +173,9 @@ void take(const Record& record, Submap& submap, MapUpdate& update) {
     case SubmapRecord::occupancy:
       update.occupancy = readOccupancy(bytes);
       return;
+    case SubmapRecord::sightings:
+      update.sightings = readSightings(bytes);
+      return;
   }
 }
 
@@ -156,6 +190,8 @@ std::string encodeSubmap(const MapUpdate& update) {
   file += record(SubmapRecord::normals, listOf(submap.normals));
   file += record(SubmapRecord::detail, listOf(update.detail_submap));
   if (update.occupancy) file += record(SubmapRecord::occupancy, occupancyOf(*update.occupancy));
+  if (!update.sightings.empty())
+    file += record(SubmapRecord::sightings, sightingsOf(update.sightings));
   return file;
 }
 

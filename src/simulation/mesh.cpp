@@ -31,6 +31,8 @@ double reflectivityOf(Material material) {
       return 1.0;
     case Material::kConcrete:
       return 0.38;
+    case Material::kCloth:
+      return 0.4;
   }
   return 0.3;
 }

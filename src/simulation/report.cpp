@@ -72,7 +72,7 @@ void writeReport(const std::string& path, const DriveReport& report) {
   }
   file << "  },\n  \"scans\": " << report.scans << ",\n  \"points\": " << report.points
        << ",\n  \"length\": " << report.length << ",\n  \"triangles\": " << report.triangles
-       << ",\n  \"moving_cars\": " << report.moving_cars
+       << ",\n  \"moving_cars\": " << report.moving_cars << ",\n  \"people\": " << report.people
        << ",\n  \"start\": " << report.start.nanoseconds
        << ",\n  \"end\": " << report.end.nanoseconds << ",\n  \"revisits\": [\n";
   for (std::size_t i = 0; i < report.revisits.size(); ++i) {

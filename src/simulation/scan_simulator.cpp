@@ -9,14 +9,14 @@
 namespace revisit_slam::simulation {
 namespace {
 
-/// A sphere of this radius about a car contains it for the whole scan.
-constexpr double kCarRadius = 5.0;
+/// A sphere of this radius about the middle contains it for the whole scan.
+constexpr double kCarRadius = 5.0, kPersonRadius = 2.5;
 
 bool passes(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-            const Eigen::Vector3d& centre) {
+            const Eigen::Vector3d& centre, double radius) {
   const Eigen::Vector3d to_centre = centre - origin;
   const double along = to_centre.dot(direction);
-  return along > -kCarRadius && to_centre.squaredNorm() - along * along < kCarRadius * kCarRadius;
+  return along > -radius && to_centre.squaredNorm() - along * along < radius * radius;
 }
 
 }  // namespace
@@ -28,50 +28,58 @@ ScanSimulator::ScanSimulator(const World& world, const Route& route, SensorModel
       sensor_(std::move(sensor)),
       config_(config),
       still_(world.still) {
-  for (const TriangleMesh& mesh : world.car_models) car_models_.emplace_back(mesh);
+  for (const TriangleMesh& mesh : world.models) models_.emplace_back(mesh);
   if (sensor_.kind != SensorKind::kRosette) firings_ = firingsOf(sensor_, 0);
 }
 
-std::vector<ScanSimulator::NearCar> ScanSimulator::carsAround(Stamp middle) const {
+std::vector<ScanSimulator::NearMover> ScanSimulator::moversAround(Stamp middle) const {
   const Eigen::Vector3d here = route_.poseAt(middle).translation;
-  std::vector<NearCar> around;
-  for (const MovingCar& car : world_.cars) {
-    if (!car.isPresent(middle)) continue;
-    const Eigen::Vector3d centre = car.poseAt(middle).translation;
-    if ((centre - here).norm() < sensor_.max_range + 2.0 * kCarRadius)
-      around.push_back({&car, centre});
-  }
+  std::vector<NearMover> around;
+  const auto take = [&](const std::vector<Mover>& movers, double radius) {
+    for (const Mover& mover : movers) {
+      if (!mover.isPresent(middle)) continue;
+      const Eigen::Vector3d centre = mover.poseAt(middle).translation;
+      if ((centre - here).norm() < sensor_.max_range + 2.0 * radius)
+        around.push_back({&mover, centre, radius});
+    }
+  };
+  take(world_.cars, kCarRadius);
+  take(world_.people, kPersonRadius);
   return around;
 }
 
-std::optional<RayHit> ScanSimulator::firstHit(const Ray& ray,
-                                              const std::vector<NearCar>& cars) const {
-  std::optional<RayHit> nearest = still_.cast(ray.origin, ray.direction, sensor_.max_range);
-  for (const NearCar& near : cars) {
-    if (!passes(ray.origin, ray.direction, near.centre)) continue;
-    const Pose T_car_map = near.car->poseAt(ray.stamp).inverse();
-    const double reach = nearest ? nearest->range : sensor_.max_range;
-    const auto hit = car_models_[static_cast<std::size_t>(near.car->model)].cast(
-        T_car_map * ray.origin, T_car_map.rotation * ray.direction, reach);
-    if (hit && hit->range < reach) nearest = hit;
+std::optional<ScanSimulator::Hit> ScanSimulator::firstHit(
+    const Ray& ray, const std::vector<NearMover>& movers) const {
+  std::optional<Hit> nearest;
+  if (const auto hit = still_.cast(ray.origin, ray.direction, sensor_.max_range))
+    nearest = Hit{*hit, false};
+  for (const NearMover& near : movers) {
+    if (!passes(ray.origin, ray.direction, near.centre, near.radius)) continue;
+    const Pose T_mover_map = near.mover->poseAt(ray.stamp).inverse();
+    const double reach = nearest ? nearest->hit.range : sensor_.max_range;
+    const auto hit = models_[static_cast<std::size_t>(near.mover->model)].cast(
+        T_mover_map * ray.origin, T_mover_map.rotation * ray.direction, reach);
+    if (hit && hit->range < reach) nearest = Hit{*hit, true};
   }
   return nearest;
 }
 
 void ScanSimulator::measure(const Firing& firing, const Ray& ray, std::uint64_t index,
-                            const std::vector<NearCar>& cars, SimulatedScan& result) const {
-  const std::optional<RayHit> hit = firstHit(ray, cars);
-  if (!hit) return;
+                            const std::vector<NearMover>& movers, SimulatedScan& result) const {
+  const std::optional<Hit> first = firstHit(ray, movers);
+  if (!first) return;
+  const RayHit& hit = first->hit;
   const auto key = static_cast<std::uint64_t>(result.first.nanoseconds);
-  if (isLost(*hit, config_.random_dropout, hashOf(config_.seed, key, index, 1))) return;
+  if (isLost(hit, config_.random_dropout, hashOf(config_.seed, key, index, 1))) return;
   const double noise = config_.noise * gaussianFrom(hashOf(config_.seed, key, index, 2));
-  const double range = hit->range + noise;
+  const double range = hit.range + noise;
   if (range < sensor_.min_range || range > sensor_.max_range) return;
   result.scan.points.push_back(static_cast<float>(range) * firing.direction);
   result.nanoseconds.push_back(config_.deskewed ? 0U
                                                 : static_cast<std::uint32_t>(firing.nanoseconds));
   result.rings.push_back(firing.ring);
-  result.intensities.push_back(intensityOf(*hit, hashOf(config_.seed, key, index, 3)));
+  result.intensities.push_back(intensityOf(hit, hashOf(config_.seed, key, index, 3)));
+  result.moving.push_back(first->moves);
 }
 
 SimulatedScan ScanSimulator::simulate(Stamp start) const {
@@ -83,8 +91,8 @@ SimulatedScan ScanSimulator::simulate(Stamp start) const {
   const std::vector<Firing> own =
       firings_.empty() ? firingsOf(sensor_, scan_index) : std::vector<Firing>{};
   const std::vector<Firing>& firings = firings_.empty() ? own : firings_;
-  const std::vector<NearCar> cars =
-      carsAround(Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds / 2});
+  const std::vector<NearMover> movers =
+      moversAround(Stamp{start.nanoseconds + SensorModel::kPeriodNanoseconds / 2});
   Ray ray{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {-1}};
   Pose T_map_sensor;
   for (std::size_t i = 0; i < firings.size(); ++i) {
@@ -96,7 +104,7 @@ SimulatedScan ScanSimulator::simulate(Stamp start) const {
       ray.stamp = stamp;
     }
     ray.direction = T_map_sensor.rotation * firings[i].direction.cast<double>();
-    measure(firings[i], ray, i, cars, result);
+    measure(firings[i], ray, i, movers, result);
   }
   const std::uint32_t last = result.nanoseconds.empty() ? 0U : result.nanoseconds.back();
   result.scan.stamp = {result.first.nanoseconds + last};

@@ -65,7 +65,7 @@ Drive leader(const Route& route, double gap, double lane, Random& random) {
   return {0.0, secondsBetween(route.start(), route.end()), arc, lane, 1.0};
 }
 
-MovingCar carOn(const Route& route, const Drive& drive, int model) {
+Mover carOn(const Route& route, const Drive& drive, int model) {
   std::vector<UniformSpline<6>::Value> states;
   const auto onRoute = [&](double t) {
     const double arc = drive.arc(t);
@@ -95,12 +95,12 @@ bool collide(const Plot& a, const Plot& b) {
   return std::abs(a.centre.origin.z() - b.centre.origin.z()) < kLevelHeight && overlap(a, b);
 }
 
-bool isClear(const Route& route, const MovingCar& car, const std::vector<MovingCar>& others) {
+bool isClear(const Route& route, const Mover& car, const std::vector<Mover>& others) {
   const CarSize size = carSize(car.model);
   for (Stamp t = car.from; t <= car.until; t = t.plusSeconds(0.1)) {
     const Plot own = plotOf(car.poseAt(t), size.length + 0.6, size.width + 0.3);
     if (collide(own, plotOf(route.poseAt(t), 5.5, 2.2))) return false;
-    for (const MovingCar& other : others) {
+    for (const Mover& other : others) {
       const CarSize its = carSize(other.model);
       if (!other.isPresent(t)) continue;
       if (collide(own, plotOf(other.poseAt(t), its.length, its.width))) return false;
@@ -110,14 +110,14 @@ bool isClear(const Route& route, const MovingCar& car, const std::vector<MovingC
 }
 
 /// Those that accompany the platform all the way along a motorway.
-std::vector<MovingCar> makeLeaders(const Route& route) {
+std::vector<Mover> makeLeaders(const Route& route) {
   Random random(hashOf(route.layout().seed, 981));
-  std::vector<MovingCar> cars;
+  std::vector<Mover> cars;
   for (const double lane : {-kLane, 0.0, kLane}) {
     for (double gap = -80.0 + random.uniform(0.0, 20.0); gap < 100.0;
          gap += random.uniform(22.0, 40.0)) {
       const Drive drive = leader(route, gap, lane, random);
-      MovingCar car = carOn(route, drive, random.integer(0, carModelCount() - 1));
+      Mover car = carOn(route, drive, random.integer(0, carModelCount() - 1));
       if (car.until > car.from && isClear(route, car, cars)) cars.push_back(std::move(car));
     }
   }
@@ -126,14 +126,14 @@ std::vector<MovingCar> makeLeaders(const Route& route) {
 
 }  // namespace
 
-std::vector<MovingCar> makeTraffic(const Route& route, int most) {
+std::vector<Mover> makeTraffic(const Route& route, int most) {
   if (most == 0) return {};
   const auto visit = static_cast<std::uint64_t>(route.visit().number);
   Random random(hashOf(route.layout().seed, 980, visit));
   const double duration = secondsBetween(route.start(), route.end());
   const double seconds_per_car = isMotorway(route) ? 3.0 : kSecondsPerCar;
   const int tries = static_cast<int>(duration / seconds_per_car) + 1;
-  std::vector<MovingCar> cars;
+  std::vector<Mover> cars;
   if (isMotorway(route)) cars = makeLeaders(route);
   for (int k = 0; k < tries && static_cast<int>(cars.size()) < most; ++k) {
     const double middle = random.uniform(0.0, duration);
@@ -141,7 +141,7 @@ std::vector<MovingCar> makeTraffic(const Route& route, int most) {
     const Drive drive = kind < 0.65 || isMotorway(route)
                             ? oncoming(route, middle, random)
                             : companion(route, middle, kind < 0.85 ? 1.0 : -1.0, random);
-    MovingCar car = carOn(route, drive, random.integer(0, carModelCount() - 1));
+    Mover car = carOn(route, drive, random.integer(0, carModelCount() - 1));
     if (car.until == car.from || !isClear(route, car, cars)) continue;
     cars.push_back(std::move(car));
   }

@@ -5,6 +5,7 @@
 #include "car_shapes.h"
 #include "furniture.h"
 #include "ground.h"
+#include "people.h"
 #include "structures.h"
 #include "traffic.h"
 #include "vegetation.h"
@@ -96,11 +97,15 @@ World makeWorld(const WorldConfig& config, const Route& first, const Route& visi
   addGround(site);
   fill(site, visit);
   World world;
-  world.still = std::move(site.mesh());
   for (int model = 0; model < carModelCount(); ++model) {
-    addCar(world.car_models.emplace_back(), Placement{}, model);
+    addCar(world.models.emplace_back(), Placement{}, model);
   }
   if (hasTraffic(site.layout().kind)) world.cars = makeTraffic(visit, config.moving_cars);
+  world.people = makePeople(site, visit, config.people, carModelCount());
+  if (!world.people.empty())
+    for (int model = 0; model < personModelCount(); ++model)
+      addPerson(world.models.emplace_back(), model);
+  world.still = std::move(site.mesh());
   return world;
 }
 

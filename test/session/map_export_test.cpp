@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "revisit_slam/io/g2o.h"
 #include "revisit_slam/io/pcd.h"
+#include "revisit_slam/session/stored_submap.h"
 #include "session/session_fixtures.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"
@@ -81,6 +83,97 @@ TEST_F(MapExportTest, TilesTogetherAreTheMap) {
   EXPECT_GT(files, 4u);
   EXPECT_NEAR(static_cast<double>(points),
               static_cast<double>(readPcdPoints(out("map.pcd")).size()), 0.01 * points);
+}
+
+/// A drive along a wall, 25 m and back; in three of its scans somebody is in between.
+class WalkerDrive {
+ public:
+  static constexpr int kScans = 50;
+
+  void write(const std::string& folder) {
+    StoredParameters parameters;
+    MapBuilder builder(parameters.mapping, parameters.occupancy);
+    SessionWriter writer({folder, "", nullptr, false}, someInfo(), 0);
+    std::vector<GraphNode> nodes;
+    const auto keep = [&](MapUpdate update) {
+      if (!update.submap) return;
+      const auto closed = std::make_shared<const MapUpdate>(std::move(update));
+      writer.add(nodes, closedOf(*closed->submap, closed->detail_submap), closed);
+    };
+    for (int k = 0; k < kScans; ++k) {
+      RegisteredScan scan;
+      scan.id = ScanId{static_cast<std::uint32_t>(k)};
+      scan.stamp = Stamp::fromSeconds(100.0 + k);
+      scan.T_odom_base.translation.x() = 12.0 - std::abs(k - kScans / 2) * 0.5;
+      scan.sensor_base = {0.0, 0.0, 1.5};
+      scan.points_base = pointsFrom(scan.T_odom_base.translation.cast<float>(), k);
+      nodes.push_back({scan.id, scan.stamp, scan.T_odom_base, Matrix6::Identity()});
+      keep(builder.insert(scan));
+    }
+    keep(builder.closeAll());
+    writer.close();
+  }
+
+  static bool isWalker(const Eigen::Vector3f& p) {
+    return std::abs(p.y() - 3.0f) < 0.5f && p.z() > 0.3f;
+  }
+
+ private:
+  Points pointsFrom(const Eigen::Vector3f& base, int scan) const {
+    Points points;
+    const auto take = [&](float x, float y, float z) {
+      points.emplace_back(Eigen::Vector3f(x, y, z) - base);
+    };
+    for (float x = base.x() - 20.0f; x < base.x() + 20.0f; x += 0.1f) {
+      for (float y = -3.0f; y < 6.0f; y += 0.2f) take(x, y, 0.05f);
+      for (float z = 0.05f; z < 4.0f; z += 0.1f) take(x, 6.05f, z);
+    }
+    if (scan >= 12 && scan < 15)
+      for (float z = 0.4f; z < 1.7f; z += 0.1f)
+        for (float x = 6.0f; x < 6.4f; x += 0.1f) take(x, 3.05f, z);
+    return points;
+  }
+};
+
+TEST_F(MapExportTest, WhatMovedIsBesideTheMapAndOutOfItsOccupancy) {
+  WalkerDrive().write(folder_.file("walker"));
+  std::vector<std::string> notices;
+  session_ = readSession(folder_.file("walker"), notices);
+  StoredParameters parameters;
+  parameters.mapping.dynamic_points.rays = 1;  // the wall has few points
+  parameters.occupancy.miss = 0.5;             // rays alone clear nothing
+  session_.info.parameters = textOf(parametersOf(parameters));
+  makeAll();
+  const Points all = readPcdPoints(out("map.pcd"));
+  const std::string occupied = textOf(out("map.bt"));
+  const auto walkers = std::count_if(all.begin(), all.end(), WalkerDrive::isWalker);
+  EXPECT_GT(walkers, 10);
+  EXPECT_FALSE(std::filesystem::exists(out("map_dynamic.pcd")));
+  ExportConfig config;
+  config.remove_dynamic = true;
+  makeAll(config);
+  const Points kept = readPcdPoints(out("map.pcd")), moved = readPcdPoints(out("map_dynamic.pcd"));
+  EXPECT_EQ(kept.size() + moved.size(), all.size());
+  EXPECT_TRUE(std::all_of(moved.begin(), moved.end(), WalkerDrive::isWalker));
+  EXPECT_GT(static_cast<double>(moved.size()), 0.8 * static_cast<double>(walkers));
+  EXPECT_TRUE(textOf(out("map.bt")) != occupied);
+}
+
+TEST_F(MapExportTest, ASessionThatDoesNotTellWhenPointsWereSeenKeepsThemAllAndSaysSo) {
+  for (const SubmapClosed& submap : session_.submaps) {
+    const std::string path = submapFile(session_.folder, submap.id);
+    MapUpdate update = readSubmap(path, {SubmapRecord::trajectory, SubmapRecord::detail});
+    std::ofstream(path, std::ios::binary) << encodeSubmap(update);
+  }
+  makeAll();
+  const Points all = readPcdPoints(out("map.pcd"));
+  ExportConfig config;
+  config.remove_dynamic = true;
+  const std::vector<std::string> notices = exportSession(session_, folder_.file("out"), config);
+  ASSERT_FALSE(notices.empty());
+  EXPECT_TRUE(contains(notices.front(), "do not tell when their points were seen"));
+  EXPECT_EQ(readPcdPoints(out("map.pcd")), all);
+  EXPECT_TRUE(readPcdPoints(out("map_dynamic.pcd")).empty());
 }
 
 TEST_F(MapExportTest, AMapBeyondAnOctreeIsTiledAndTheRestIsMade) {

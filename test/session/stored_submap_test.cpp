@@ -13,8 +13,8 @@ namespace revisit_slam {
 namespace {
 
 const std::set<SubmapRecord> kAll{SubmapRecord::trajectory, SubmapRecord::points,
-                                  SubmapRecord::normals, SubmapRecord::detail,
-                                  SubmapRecord::occupancy};
+                                  SubmapRecord::normals,    SubmapRecord::detail,
+                                  SubmapRecord::occupancy,  SubmapRecord::sightings};
 
 TEST(StoredSubmap, IsReadAsItWas) {
   const TemporaryFolder folder;
@@ -27,6 +27,7 @@ TEST(StoredSubmap, IsReadAsItWas) {
   EXPECT_EQ(read.submap->points, update->submap->points);
   EXPECT_EQ(read.submap->normals, update->submap->normals);
   EXPECT_EQ(read.detail_submap, update->detail_submap);
+  EXPECT_EQ(read.sightings.lasted, update->sightings.lasted);
   EXPECT_EQ(encodeSubmap(read), encodeSubmap(*update));  // poses and occupancy too
 }
 
@@ -41,7 +42,9 @@ TEST(StoredSubmap, ContentsThatCannotBeAreRefusedWithTheFile) {
   counts.set(0, 1, 0);
   occupancy->append({2'000'000'000, 0, 0}, counts);
   far.occupancy = occupancy;
-  for (const MapUpdate& update : {nowhere, far}) try {
+  MapUpdate others = *StreetDrive::get().updates.at(1);
+  others.sightings.lasted.pop_back();
+  for (const MapUpdate& update : {nowhere, far, others}) try {
       readSubmap(folder.with("a.rsm", encodeSubmap(update)), kAll);
       FAIL();
     } catch (const std::runtime_error& error) {

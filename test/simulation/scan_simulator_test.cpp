@@ -97,6 +97,30 @@ TEST(ScanSimulator, TwoScansOfAStaticTownCoincideAtTheTruth) {
   EXPECT_GT(near, 0.85 * tried);
 }
 
+TEST(ScanSimulator, PointsOfWhatMovesAreMarked) {
+  World world = wallAhead();
+  TriangleMesh panel;  // across the view, 1 m wide and high
+  panel.vertices = {{0, -0.5, 0.5}, {0, 0.5, 0.5}, {0, 0.5, 1.5}, {0, -0.5, 1.5}};
+  panel.triangles = {{0, 1, 2}, {0, 2, 3}};
+  panel.materials = {Material::kCloth, Material::kCloth};
+  world.models = {panel};
+  const Route route = straightRoute(1.0, 3.0);
+  UniformSpline<6>::Value here;
+  here << 6.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+  world.people = {{0, route.start(), route.end(), UniformSpline<6>({here, here}, 10.0)}};
+  const ScanSimulator simulator(world, route, makeSensor("spinning-64"), {});
+  const SimulatedScan scan = simulator.simulate(route.start());
+  ASSERT_EQ(scan.moving.size(), scan.scan.points.size());
+  int marked = 0;
+  for (std::size_t i = 0; i < scan.moving.size(); ++i) {
+    const Eigen::Vector3f& p = scan.scan.points[i];
+    const bool on_panel = std::abs(p.x() - 6.0f) < 0.3f && std::abs(p.y()) < 0.6f && p.z() > -1.5f;
+    EXPECT_EQ(scan.moving[i], on_panel) << p.transpose();
+    marked += scan.moving[i];
+  }
+  EXPECT_GT(marked, 50);
+}
+
 TEST(Drive, DoesNotDependOnTheNumberOfThreads) {
   RouteConfig config = shortDrive("loop");
   const Route route = makeRoute(config);

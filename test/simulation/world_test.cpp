@@ -50,7 +50,7 @@ TEST(World, MovingCarsKeepAwayFromThePlatform) {
   const Route route = makeRoute(config);
   const World world = makeWorld({}, route);
   ASSERT_GT(world.cars.size(), 5U);
-  for (const MovingCar& car : world.cars) {
+  for (const Mover& car : world.cars) {
     for (Stamp t = car.from; t <= car.until; t = t.plusSeconds(0.05)) {
       const Eigen::Vector3d apart = route.poseAt(t).inverse() * car.poseAt(t).translation;
       const bool beside = std::abs(apart.y()) > 1.9;
@@ -68,7 +68,7 @@ TEST(World, OnAMotorwayCarsKeepUpWithThePlatformAndOthersComeTowardsIt) {
   const Stamp t = route.start().plusSeconds(40.0);
   ASSERT_GT(route.speedAt(t), 15.0);
   int along = 0, oncoming = 0;
-  for (const MovingCar& car : world.cars) {
+  for (const Mover& car : world.cars) {
     if (!car.isPresent(t) || !car.isPresent(t.plusSeconds(0.1))) continue;
     const auto place = [&](Stamp at) -> Eigen::Vector3d {
       return route.poseAt(at).inverse() * car.poseAt(at).translation;
@@ -79,6 +79,34 @@ TEST(World, OnAMotorwayCarsKeepUpWithThePlatformAndOthersComeTowardsIt) {
   }
   EXPECT_GE(along, 4);
   EXPECT_GE(oncoming, 1);
+}
+
+TEST(World, PeopleWalkOnTheGroundAndKeepAwayFromThePlatformAndFromWalls) {
+  RouteConfig config = shortDrive("tour", 200.0);
+  config.world = WorldKind::kCampus;
+  const Route route = makeRoute(config);
+  const World world = makeWorld({0, 30}, route);
+  ASSERT_GT(world.people.size(), 10U);
+  EXPECT_LE(world.people.size(), 30U);
+  const RayCaster caster(world.still);
+  for (const Mover& person : world.people) {
+    for (Stamp t = person.from; t <= person.until; t = t.plusSeconds(0.5)) {
+      const Pose T_map_person = person.poseAt(t);
+      const Eigen::Vector3d apart = route.poseAt(t).inverse() * T_map_person.translation;
+      ASSERT_GT(apart.head<2>().norm(), 1.0);
+      const Eigen::Vector3d head = T_map_person * Eigen::Vector3d(0.0, 0.0, 1.0);
+      const auto below = caster.cast(head, -Eigen::Vector3d::UnitZ(), 3.0);
+      ASSERT_TRUE(below);
+      EXPECT_NEAR(below->range, 1.0, 0.15);
+      const Stamp later = t.plusSeconds(0.5);
+      if (later > person.until) continue;
+      const Eigen::Vector3d step = T_map_person.inverse() * person.poseAt(later).translation;
+      EXPECT_GT(step.x(), 0.1);  // forwards
+      EXPECT_LT(step.norm(), 1.3);
+      EXPECT_FALSE(caster.cast(head, T_map_person.rotation * step.normalized(), step.norm()));
+    }
+  }
+  EXPECT_TRUE(makeWorld({0}, route).people.empty());
 }
 
 TEST(World, IsBoundedAndRepeatable) {
@@ -94,7 +122,7 @@ TEST(World, IsBoundedAndRepeatable) {
 std::map<Material, int> standing(const World& world) {
   std::map<Material, int> counts;
   for (const Material material : world.still.materials) ++counts[material];
-  for (const Material material : world.car_models.front().materials) counts.erase(material);
+  for (const Material material : world.models.front().materials) counts.erase(material);
   return counts;
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "revisit_slam/mapping/detail_map.h"
 #include "revisit_slam/mapping/map_hierarchy.h"
-#include "revisit_slam/mapping/point_map.h"
 #include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/occupancy/occupancy_builder.h"
 #include "revisit_slam/types/informed_scan.h"
@@ -19,6 +19,7 @@ struct MapUpdate {
   SubmapPtr submap;
   /// The points of the submap as finely as files have them, in its frame.
   Points detail_submap;
+  Sightings sightings;           ///< of these points; none: not known
   SubmapOccupancyPtr occupancy;  ///< of the submap; null where occupancy is switched off
   LocalMapPtr local_map;
   /// That the submap is in, and is told when it is on disk; null: none.
@@ -43,7 +44,7 @@ class MapBuilder {
   double detail_voxel_size_;
   bool with_occupancy_;
   MapHierarchy hierarchy_;
-  PointMap detail_;
+  DetailMap detail_;
   OccupancyBuilder occupancy_;
   Pose T_odom_submap_;               // of the open one
   std::optional<Pose> T_odom_last_;  // of the scan before; none: its pose was lost

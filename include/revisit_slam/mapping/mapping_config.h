@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "revisit_slam/mapping/dynamic_point_config.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
@@ -39,6 +40,7 @@ struct MappingConfig {
   double rest_interval = 2.0;
   int max_waiting = 300;
   int cache_mb = 256;
+  DynamicPointConfig dynamic_points;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -71,6 +73,7 @@ struct MappingConfig {
       "memory for closed submaps that are on disk; those that were not used for the longest time "
       "are read back from the folder of the session when they are needed. Results do not depend on "
       "it. Raise it if searches for loops or rviz read the disk much; lower it if memory is short");
+    v.group("dynamic_points", dynamic_points);
   }
 };
 

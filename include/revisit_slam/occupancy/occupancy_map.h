@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -33,6 +34,10 @@ class OccupancyMap {
 
   /// Brings the map up to date. @return the number of blocks composed.
   std::size_t compose();
+
+  /// Makes occupied voxels of the composed map free where `is_free` says so, until their block is
+  /// composed again.
+  void markFree(const std::function<bool(const Voxel&)>& is_free);
 
   double resolution() const { return config_.resolution; }
   /// In BlockOrder, none empty.

@@ -18,6 +18,9 @@ struct ExportConfig {
   std::set<std::string> clouds{"pcd"};  ///< of the map: pcd, ply, las
   bool submaps = true;                  ///< each as a cloud of its own
   bool occupancy = true;                ///< map.bt, map.pgm, map.yaml
+  /// Points of what moved go to map_dynamic.* instead of map.*, and out of the occupancy; so they
+  /// do where the parameter mapping/dynamic_points/remove of the session says so.
+  bool remove_dynamic = false;
   std::optional<double>
       resolution;              ///< m, edge of a voxel of the clouds; none: as finely as stored
   std::optional<double> tile;  ///< m, edge of the squares that clouds are cut into; none: one

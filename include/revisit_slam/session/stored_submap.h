@@ -17,6 +17,7 @@ enum class SubmapRecord : std::uint32_t {
   normals = 4,
   detail = 5,
   occupancy = 6,
+  sightings = 7,
 };
 
 /// A closed submap as bytes of its file, NNNNNN.rsm.

@@ -22,6 +22,7 @@ enum class Material : std::uint8_t {
   kPaint,
   kSignFace,
   kConcrete,
+  kCloth,
 };
 
 /// Fraction of the light that a surface sends back when met at a right angle.

@@ -25,6 +25,7 @@ struct DriveReport {
   double length = 0.0;
   std::size_t triangles = 0;
   std::size_t moving_cars = 0;
+  std::size_t people = 0;
   Stamp start;
   Stamp end;
   std::vector<Revisit> revisits;

@@ -31,10 +31,12 @@ struct SimulatedScan {
   /// The instant of the first firing, which drivers put into the header. For a deskewed scan all
   /// rays fire at its end.
   Stamp first;
-  /// For each point: nanoseconds from `first`, ring or line, and intensity 0 to 255.
+  /// For each point: nanoseconds from `first`, ring or line, intensity 0 to 255, and whether it is
+  /// of something that moves.
   std::vector<std::uint32_t> nanoseconds;
   std::vector<std::uint16_t> rings;
   std::vector<float> intensities;
+  std::vector<bool> moving;
 };
 
 /// Measures the world from the route. The same stamp gives the same scan, on any thread.
@@ -56,23 +58,28 @@ class ScanSimulator {
     Stamp stamp;
   };
 
-  /// A car within range and where it is in the middle of the scan.
-  struct NearCar {
-    const MovingCar* car;
+  /// A car or person within range, and a sphere that contains it for the whole scan.
+  struct NearMover {
+    const Mover* mover;
     Eigen::Vector3d centre;
+    double radius;
+  };
+  struct Hit {
+    RayHit hit;
+    bool moves;
   };
 
-  std::vector<NearCar> carsAround(Stamp middle) const;
-  std::optional<RayHit> firstHit(const Ray& ray, const std::vector<NearCar>& cars) const;
+  std::vector<NearMover> moversAround(Stamp middle) const;
+  std::optional<Hit> firstHit(const Ray& ray, const std::vector<NearMover>& movers) const;
   void measure(const Firing& firing, const Ray& ray, std::uint64_t index,
-               const std::vector<NearCar>& cars, SimulatedScan& result) const;
+               const std::vector<NearMover>& movers, SimulatedScan& result) const;
 
   const World& world_;
   const Route& route_;
   SensorModel sensor_;
   ScanConfig config_;
   RayCaster still_;
-  std::vector<RayCaster> car_models_;
+  std::vector<RayCaster> models_;
   std::vector<Firing> firings_;
 };
 

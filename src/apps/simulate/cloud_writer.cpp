@@ -55,6 +55,7 @@ void CloudWriter::declareFields(sensor_msgs::PointCloud2& cloud) const {
   } else if (with_times_) {
     add(cloud, "time", Field::FLOAT32, 4);
   }
+  if (with_labels_) add(cloud, "moving", Field::UINT8, 1);
 }
 
 void CloudWriter::putPoint(const SimulatedScan& scan, std::size_t i) {
@@ -71,6 +72,7 @@ void CloudWriter::putPoint(const SimulatedScan& scan, std::size_t i) {
   } else if (with_times_) {
     put<float>(static_cast<float>(1e-9 * ns));
   }
+  if (with_labels_) put<std::uint8_t>(scan.moving[i]);
 }
 
 }  // namespace revisit_slam::simulation

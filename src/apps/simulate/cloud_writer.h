@@ -14,8 +14,8 @@ namespace revisit_slam::simulation {
 /// Writes the fields of one point after another into a message, as drivers of such sensors do.
 class CloudWriter {
  public:
-  CloudWriter(const SensorModel& sensor, bool with_times)
-      : kind_(sensor.kind), with_times_(with_times) {}
+  CloudWriter(const SensorModel& sensor, bool with_times, bool with_labels)
+      : kind_(sensor.kind), with_times_(with_times), with_labels_(with_labels) {}
 
   sensor_msgs::PointCloud2 write(const SimulatedScan& scan, std::uint32_t sequence,
                                  const std::string& frame = "lidar");
@@ -28,6 +28,7 @@ class CloudWriter {
 
   SensorKind kind_;
   bool with_times_;
+  bool with_labels_;
   std::uint8_t* target_ = nullptr;
 };
 

@@ -61,7 +61,7 @@ class FurtherSensorsWriter {
       const int number = o_.further[i].number;
       const Stamp begin = first.plusSeconds(std::fmod(phase * static_cast<double>(i + 1), 0.1));
       if (isLost(o_, number, secondsBetween(start_, begin))) continue;
-      CloudWriter writer(simulators_[i]->sensor(), !o_.no_times);
+      CloudWriter writer(simulators_[i]->sensor(), !o_.no_times, o_.with_labels);
       const auto cloud =
           writer.write(simulators_[i]->simulate(begin), static_cast<std::uint32_t>(index),
                        "lidar_" + std::to_string(number));
@@ -94,7 +94,7 @@ Summary writeBag(const Options& o, const World& world, const Route& route,
       bag, "/imu", o.with_imu ? simulateImu(route, end, o.imu) : std::vector<ImuSample>());
   ReadingWriter<GnssSample> gnss(
       bag, "/fix", o.with_gnss ? simulateGnss(route, end, o.gnss) : std::vector<GnssSample>());
-  CloudWriter writer(simulator.sensor(), !o.no_times);
+  CloudWriter writer(simulator.sensor(), !o.no_times, o.with_labels);
   FurtherSensorsWriter further(bag, o, world, route);
   Progress progress("simulating", "scans", static_cast<std::size_t>(count), o.quiet);
   Summary summary;

@@ -35,7 +35,11 @@ void declareDrive(CLI::App& app, Options& o) {
   app.add_option("--max-cars", o.traffic.moving_cars, "moving cars over the whole drive")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_flag("--static", o.still, "no moving cars");
+  app.add_option("--people", o.traffic.people,
+                 "people who walk near the way over the whole drive, at most")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag("--static", o.still, "no moving cars, no people");
   app.add_option("--visit", o.route.visit.number,
                  "drive through the same world once more: each number from 1 has other traffic, "
                  "parked cars and noise")
@@ -62,6 +66,8 @@ void declareSensor(CLI::App& app, Options& o) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_flag("--no-times", o.no_times, "leave the field of point times out");
+  app.add_flag("--labels", o.with_labels,
+               "a field \"moving\" of each point: 1 where it is of a moving car or of a person");
   app.add_flag("--deskewed", o.scan.deskewed, "cast all rays of a scan from the pose at its end");
 }
 
@@ -178,7 +184,7 @@ void complete(Options& o) {
   // Turned by a right angle, so that whoever forgets the mounting notices.
   o.imu.T_base_imu = {expSO3({0.0, 0.0, 0.5 * M_PI}), {0.2, -0.1, 0.5 * o.height}};
   o.gnss.p_base_antenna = {-0.6, 0.3, o.height - 0.2};
-  if (o.still) o.traffic.moving_cars = 0;
+  if (o.still) o.traffic.moving_cars = o.traffic.people = 0;
 }
 
 std::vector<std::pair<std::string, std::string>> namedOptions(const Options& o) {
@@ -206,6 +212,8 @@ std::vector<std::pair<std::string, std::string>> namedOptions(const Options& o) 
           {"aside", number(o.route.visit.aside)},
           {"max-scans", number(o.max_scans)},
           {"max-cars", number(o.traffic.moving_cars)},
+          {"people", number(o.traffic.people)},
+          {"labels", flag(o.with_labels)},
           {"no-times", flag(o.no_times)},
           {"deskewed", flag(o.scan.deskewed)},
           {"start-time", number(o.start_time)},

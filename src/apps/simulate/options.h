@@ -48,6 +48,7 @@ struct Options {
   int max_scans = 0;
   int threads = 0;
   bool no_times = false;
+  bool with_labels = false;
   bool still = false;
   bool quiet = false;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "revisit_slam/simulation/moving_car.h"
+#include "revisit_slam/simulation/mover.h"
 
 namespace revisit_slam::simulation {
 
-Pose MovingCar::poseAt(Stamp stamp) const {
+Pose Mover::poseAt(Stamp stamp) const {
   const Eigen::Matrix<double, 6, 1> state = motion.value(secondsBetween(from, stamp));
   Eigen::Matrix3d axes;
   axes.col(0) = state.tail<3>().normalized();

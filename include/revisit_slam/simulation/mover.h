@@ -7,9 +7,9 @@
 
 namespace revisit_slam::simulation {
 
-/// A car on the road, present from `from` to `until`.
-struct MovingCar {
-  /// Index into World::car_models.
+/// A car on the road or a person who walks, present from `from` to `until`.
+struct Mover {
+  /// Index into World::models.
   int model = 0;
   Stamp from;
   Stamp until;
@@ -17,7 +17,7 @@ struct MovingCar {
   UniformSpline<6> motion;
 
   bool isPresent(Stamp stamp) const { return from <= stamp && stamp <= until; }
-  /// T_map_car; the origin is on the ground below the middle of the car, x forward.
+  /// T_map_mover; the origin is on the ground below its middle, x forward.
   Pose poseAt(Stamp stamp) const;
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tsl/robin_map.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/types/registered_scan.h"
+
+namespace revisit_slam {
+
+/// Points that one scan was the first to see from one place, and follow one another in a cloud.
+struct PointsSeen {
+  std::uint32_t scan = 0;                                 ///< number within the submap
+  Eigen::Vector3f sensor_base = Eigen::Vector3f::Zero();  ///< where their rays start
+  std::uint32_t end = 0;                                  ///< behind the last of them
+};
+
+/// When and from where the points of a submap's detail were seen.
+struct Sightings {
+  static constexpr std::uint16_t kMostScans = 65535;
+
+  std::vector<PointsSeen> groups;
+  /// For each point: scans from the first that had a point in its voxel to the last, up to
+  /// kMostScans.
+  std::vector<std::uint16_t> lasted;
+
+  bool empty() const { return lasted.empty(); }
+};
+
+/// The cloud of a submap: the first point seen in each voxel.
+class DetailMap {
+ public:
+  /// `voxel_size` in metres.
+  explicit DetailMap(double voxel_size) : voxel_size_(voxel_size) {}
+
+  /// @param views of several sensors, which points each saw; empty: all from `sensor_base`.
+  void insert(const Points& points_base, const Pose& T_submap_base,
+              const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views = {});
+
+  const Points& points() const { return points_; }
+  const Sightings& sightings() const { return sightings_; }
+
+ private:
+  void see(const Eigen::Vector3f& point_base, const Pose& T_submap_base, const Eigen::Matrix3d& R);
+
+  double voxel_size_;
+  std::uint32_t scans_ = 0;
+  Points points_;
+  Sightings sightings_;
+  std::vector<std::uint32_t> first_scans_;  // of the points
+  tsl::robin_map<std::uint64_t, std::uint32_t, VoxelKeyHash> point_in_;
+};
+
+}  // namespace revisit_slam
