@@ -18,7 +18,7 @@ STAGES: Dict[str, Tuple[str, ...]] = {
     "update map": ("revisit_slam::Odometry::commit(",),
     "information": ("revisit_slam::InformationEstimator::estimate(",),
     "submaps": ("revisit_slam::MapHierarchy::insert(", "revisit_slam::MapHierarchy::closeAll("),
-    "detail": ("revisit_slam::PointMap::insert(",),
+    "detail": ("revisit_slam::DetailMap::insert(",),
     "occupancy": ("revisit_slam::OccupancyBuilder::insert(", "revisit_slam::OccupancyBuilder::drive(",
                   "revisit_slam::OccupancyBuilder::close("),
     "loops": ("revisit_slam::LoopClosing::add(", "revisit_slam::LoopClosing::correct("),

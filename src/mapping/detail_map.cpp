@@ -7,32 +7,39 @@ namespace revisit_slam {
 
 void DetailMap::insert(const Points& points_base, const Pose& T_submap_base,
                        const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views) {
-  const Eigen::Matrix3d R = T_submap_base.rotationMatrix();
   const std::vector<PointsView> all{{sensor_base, points_base.size()}};
-  std::size_t i = 0;
-  for (const PointsView& view : views.empty() ? all : views) {
-    const std::size_t before = points_.size();
-    for (; i < view.end; ++i) see(points_base[i], T_submap_base, R);
-    if (points_.size() > before)
-      sightings_.groups.push_back(
-          {scans_, view.sensor_base.cast<float>(), static_cast<std::uint32_t>(points_.size())});
-  }
+  const std::vector<PointsView>& seen = views.empty() ? all : views;
+  auto view = seen.begin();
+  std::size_t visited = 0;
+  std::size_t begin = points_.size();
+  const auto endViews = [&] {
+    for (; view != seen.end() && visited >= view->end; ++view) {
+      if (points_.size() > begin)
+        sightings_.groups.push_back(
+            {scans_, view->sensor_base.cast<float>(), static_cast<std::uint32_t>(points_.size())});
+      begin = points_.size();
+    }
+  };
+  forEachInGrid(points_base, T_submap_base, voxels_per_metre_,
+                [&](const GridPoints<double>& placed, std::size_t i) {
+                  see(placed.voxel(i), placed.point(i));
+                  ++visited;
+                  endViews();
+                });
   ++scans_;
 }
 
-void DetailMap::see(const Eigen::Vector3f& point_base, const Pose& T_submap_base,
-                    const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d point = R * point_base.cast<double>() + T_submap_base.translation;
-  const auto [place, is_new] = point_in_.try_emplace(
-      packVoxel(voxelOf<double>(point / voxel_size_)), static_cast<std::uint32_t>(points_.size()));
-  if (is_new) {
+void DetailMap::see(const Voxel& voxel, const Eigen::Vector3d& point) {
+  const auto next = static_cast<std::uint32_t>(points_.size());
+  const std::uint32_t number = point_in_.tryEmplace(voxel, next);
+  if (number == next) {
     points_.push_back(point.cast<float>());
     first_scans_.push_back(scans_);
     sightings_.lasted.push_back(0);
     return;
   }
-  const std::uint32_t scans = scans_ - first_scans_[place->second];
-  sightings_.lasted[place->second] =
+  const std::uint32_t scans = scans_ - first_scans_[number];
+  sightings_.lasted[number] =
       static_cast<std::uint16_t>(std::min<std::uint32_t>(scans, Sightings::kMostScans));
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/geometry/voxel.h"
+#include "revisit_slam/geometry/grid_points.h"
+#include "revisit_slam/geometry/voxel_numbers.h"
 #include "revisit_slam/types/registered_scan.h"
 
 namespace revisit_slam {
@@ -34,7 +33,7 @@ struct Sightings {
 class DetailMap {
  public:
   /// `voxel_size` in metres.
-  explicit DetailMap(double voxel_size) : voxel_size_(voxel_size) {}
+  explicit DetailMap(double voxel_size) : voxels_per_metre_(1.0 / voxel_size) {}
 
   /// @param views of several sensors, which points each saw; empty: all from `sensor_base`.
   void insert(const Points& points_base, const Pose& T_submap_base,
@@ -44,14 +43,14 @@ class DetailMap {
   const Sightings& sightings() const { return sightings_; }
 
  private:
-  void see(const Eigen::Vector3f& point_base, const Pose& T_submap_base, const Eigen::Matrix3d& R);
+  void see(const Voxel& voxel, const Eigen::Vector3d& point);
 
-  double voxel_size_;
+  double voxels_per_metre_;
   std::uint32_t scans_ = 0;
   Points points_;
   Sightings sightings_;
   std::vector<std::uint32_t> first_scans_;  // of the points
-  tsl::robin_map<std::uint64_t, std::uint32_t, VoxelKeyHash> point_in_;
+  VoxelNumbers point_in_;
 };
 
 }  // namespace revisit_slam
