@@ -60,7 +60,10 @@ CLI::App* declareCandidates(CLI::App& app, CandidatesOptions& options) {
                    "of the index. Raise it if revisits are missed; lower it if memory is short")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  step->add_option("--usual", options.config.index.usual_bucket, "entries of a bucket on average")
+  step->add_option(
+          "--usual", options.config.index.usual_bucket,
+          "entries of a bucket on average. Raise it if revisits are missed; lower it if the "
+          "search takes too long")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   step->add_option("--bucket", options.config.index.largest_bucket,

@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "revisit_slam/loops/recognition/near_words.h"
 #include "revisit_slam/util/chunks.h"
 
 namespace revisit_slam {
@@ -57,7 +58,6 @@ PlaceIndex::PlaceIndex(const std::vector<const PlaceFeatures*>& places,
       largest_bucket_(static_cast<std::size_t>(config.largest_bucket)),
       max_distance_(config.max_distance),
       max_word_distance_(distanceOfWord(config.max_distance)),
-      search_(wordSearches().back()),
       tables_(static_cast<std::size_t>(config.tables)) {
   for (std::size_t place = 0; place < places.size(); ++place)
     for (std::size_t i = 0; i < places[place]->size(); ++i)
@@ -143,8 +143,8 @@ void PlaceIndex::addNear(const Descriptor& descriptor, std::size_t number, Looku
   const Table& table = tables_[number];
   const Bucket& bucket = lookup.buckets_[number];
   const std::uint32_t* features = table.features.data() + bucket.begin;
-  const std::size_t count = search_(descriptor[table.word], table.words.data() + bucket.begin,
-                                    bucket.size, max_word_distance_, lookup.near_.data());
+  const std::size_t count = findNearWords(descriptor[table.word], table.words.data() + bucket.begin,
+                                          bucket.size, max_word_distance_, lookup.near_.data());
   for (std::size_t i = 0; i < count; ++i) {
     lookup.alike_.push_back(features[lookup.near_[i]]);
     __builtin_prefetch(&features_[lookup.alike_.back()]);

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/loops/recognition/near_words.h"
 #include "revisit_slam/loops/recognition/place_features.h"
 
 namespace revisit_slam {
@@ -81,7 +80,6 @@ class PlaceIndex {
 
   std::size_t places_, largest_bucket_;
   int max_distance_, max_word_distance_;
-  WordSearch* search_;
   std::vector<Feature> features_;  // of all places
   std::vector<Table> tables_;
 };
