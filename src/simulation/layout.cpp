@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "equal_rows.h"
 #include "revisit_slam/simulation/random.h"
 #include "revisit_slam/util/parameters.h"
 
@@ -69,7 +70,7 @@ bool hasLevels(WorldKind kind) {
 }
 
 bool isPaved(WorldKind kind) {
-  return hasLevels(kind) || kind >= WorldKind::kBays || kind == WorldKind::kCorridor;
+  return hasLevels(kind) || hasEqualRows(kind) || kind == WorldKind::kCorridor;
 }
 
 double roadHalfWidth(WorldKind kind) {
@@ -98,7 +99,7 @@ double roadHalfWidth(WorldKind kind) {
 
 double laneOffset(WorldKind kind) {
   if (kind == WorldKind::kMotorway) return 6.5;  // the middle one of three lanes
-  if (kind >= WorldKind::kBays) return 0.0;
+  if (hasEqualRows(kind) || kind == WorldKind::kStoreys) return 0.0;
   return kind == WorldKind::kTown || kind == WorldKind::kBridge ? 1.75 : 0.4;
 }
 
