@@ -58,7 +58,8 @@ LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool local_shape
       max_points_(static_cast<std::size_t>(config.max_points_per_voxel)),
       quads_per_block_((max_points_ + kLanes - 1) / kLanes),
       min_spacing_squared_(
-          static_cast<float>(voxel_size_ * voxel_size_ / config.max_points_per_voxel)) {}
+          static_cast<float>(voxel_size_ * voxel_size_ / config.max_points_per_voxel)),
+      farther_(3.0 * config.voxel_size) {}
 
 Points LocalVoxelMap::points(const Pose& T_target_odom) const {
   Points points;
@@ -84,6 +85,7 @@ void LocalVoxelMap::insert(const Points& points_base, const Pose& T_odom_base) {
     const Eigen::Vector3f in_voxel = (point - corner(block)).cast<float>();
     if (!insertIntoBlock(block, in_voxel) || !has_shapes_) continue;
     moments_[block].add(in_voxel);
+    farther_.add(point);
     changed.push_back(block);
   }
   updateShapes(changed);
@@ -94,9 +96,16 @@ void LocalVoxelMap::updateShapes(std::vector<BlockIndex>& changed) {
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   Chunks(changed.size(), kBlocksAtATime).forEach([&](std::size_t, Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      shapes_[changed[i]] =
-          localShapeOf(momentsAround(voxels_[changed[i]]), static_cast<float>(voxel_size_));
+      shapes_[changed[i]] = shapeAt(voxels_[changed[i]]);
   });
+}
+
+LocalShape LocalVoxelMap::shapeAt(const Voxel& voxel) const {
+  const auto edge = static_cast<float>(voxel_size_);
+  const PointMoments near = momentsAround(voxel);
+  const LocalShape shape = localShapeOf(near, edge);
+  if (!shape.is_line) return shape;
+  return localShapeOf(shape, near, farther_.around(voxel_size_ * voxel.cast<double>()), edge);
 }
 
 PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
@@ -180,6 +189,7 @@ bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& poi
 }
 
 void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distance) {
+  farther_.dropBeyond(centre_odom, distance + 3.0 * voxel_size_);
   const Eigen::Vector3f centre =
       (centre_odom / voxel_size_ - Eigen::Vector3d::Constant(0.5)).cast<float>();
   const float limit = static_cast<float>(distance * distance / (voxel_size_ * voxel_size_));

@@ -74,6 +74,53 @@ TEST(LocalShape, FewPointsAreSparseAndABushIsScattered) {
   EXPECT_EQ(of(points).points, 65.0f);
 }
 
+PointMoments momentsOf(const Points& points) {
+  PointMoments moments;
+  for (const Eigen::Vector3f& point : points) moments.add(point);
+  return moments;
+}
+
+LocalShape withFarther(const Points& near, Points farther) {
+  farther.insert(farther.end(), near.begin(), near.end());
+  return localShapeOf(of(near), momentsOf(near), momentsOf(farther), kEdge);
+}
+
+/// Rings on the ground and columns on a wall beside the road.
+TEST(LocalShape, ALineOnAPlaneThatIsSeenFartherAroundIsPlanar) {
+  RandomNumbers random(5);
+  const Points ring = arc(10.0, -0.12, 0.12, 20, random);
+  const LocalShape ground = withFarther(ring, arc(13.0, -0.12, 0.12, 20, random));
+  EXPECT_EQ(ground.kind, ShapeKind::planar);
+  EXPECT_GT(std::abs(ground.normal.z()), 0.99f);
+  EXPECT_EQ(ground.points, 20.0f);
+  Points column, next_column;
+  for (int i = 0; i < 12; ++i) {
+    column.push_back({0.0f, 5.0f, 0.15f * static_cast<float>(i)});
+    next_column.push_back({2.0f, 5.0f, 0.15f * static_cast<float>(i)});
+  }
+  EXPECT_EQ(of(column).kind, ShapeKind::scattered);
+  const LocalShape wall = withFarther(column, next_column);
+  EXPECT_EQ(wall.kind, ShapeKind::planar);
+  EXPECT_GT(std::abs(wall.normal.y()), 0.99f);
+}
+
+TEST(LocalShape, ALineThatNoPlaneIsSeenAroundStaysOne) {
+  RandomNumbers random(6);
+  const Points ring = arc(10.0, -0.12, 0.12, 20, random);
+  EXPECT_EQ(withFarther(ring, {}).kind, ShapeKind::sparse) << "nothing else";
+  Points bush;
+  for (int i = 0; i < 60; ++i) bush.push_back((ring[10] + 2.0f * random.direction().cast<float>()));
+  EXPECT_EQ(withFarther(ring, bush).kind, ShapeKind::sparse) << "among scattered points";
+  Points pole, ground;
+  for (int i = 0; i < 12; ++i) pole.push_back({10.0f, 0.0f, 0.15f * static_cast<float>(i)});
+  for (const double radius : {8.0, 9.0, 11.0, 12.0})
+    for (const Eigen::Vector3f& point : arc(radius, -0.2, 0.2, 40, random)) ground.push_back(point);
+  EXPECT_EQ(withFarther(pole, ground).kind, ShapeKind::scattered) << "a pole stands on a plane";
+  Points bar;
+  for (const Eigen::Vector3f& point : ring) bar.push_back(point + Eigen::Vector3f(0, 0, 0.5f));
+  EXPECT_EQ(withFarther(bar, ground).kind, ShapeKind::sparse) << "above a plane";
+}
+
 TEST(PointMoments, AreThoseOfTheSamePointsFromAnotherOrigin) {
   RandomNumbers random(4);
   const Eigen::Vector3f shift(1.0f, -2.0f, 1.0f);

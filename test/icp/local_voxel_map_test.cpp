@@ -149,6 +149,29 @@ TEST(LocalVoxelMap, KnowsWhatSurroundsANeighbour) {
   EXPECT_EQ(scattered, 2);
 }
 
+/// As a sensor draws them on level ground far ahead, farther apart than the 27 voxels reach.
+TEST(LocalVoxelMap, TellsTheGroundFromRingsThatAreFarApart) {
+  Points near, far;
+  for (int i = 0; i < 60; ++i) {
+    const float y = 0.1f * static_cast<float>(i) - 3.0f;
+    near.push_back({21.5f, y, 0.1f});
+    far.push_back({24.0f, y, 0.1f});
+  }
+  LocalVoxelMap map({1.0, 20});
+  map.insert(near, {});
+  Neighbour neighbour;
+  ASSERT_TRUE(map.nearest({21.4, 0.0, 0.0}, 1.0, neighbour));
+  EXPECT_EQ(neighbour.shape.kind, ShapeKind::sparse);
+  map.insert(far, {});
+  ASSERT_TRUE(map.nearest({23.9, 0.0, 0.0}, 1.0, neighbour));
+  EXPECT_EQ(neighbour.shape.kind, ShapeKind::planar);
+  EXPECT_GT(neighbour.shape.normal.cwiseAbs().z(), 0.999f);
+  map.dropBeyond({100.0, 0.0, 0.0}, 50.0);
+  map.insert(far, {});
+  ASSERT_TRUE(map.nearest({23.9, 0.0, 0.0}, 1.0, neighbour));
+  EXPECT_EQ(neighbour.shape.kind, ShapeKind::sparse) << "what was dropped tells nothing";
+}
+
 TEST(LocalVoxelMap, HoldsTheSamePointsWithoutTheirShapes) {
   RandomNumbers random(8);
   LocalVoxelMap with({1.0, 20}), without({1.0, 20}, false);

@@ -36,12 +36,12 @@ RegistrationResult alignPlainly(const Points& points, const LocalVoxelMap& map, 
       J << Eigen::Matrix3d::Identity(), -skew(p);
       Eigen::Matrix3d M = Eigen::Matrix3d::Identity();  // the cost of a point is r^T M r
       double squared = r.squaredNorm();
-      const auto& [spread, normal, around] = neighbour.shape;
-      if (config.planes && spread == ShapeKind::sparse) M *= config.sparse_weight;
-      if (config.planes && spread == ShapeKind::scattered)
-        M *= std::min(1.0, around / config.scattered_points);
-      if (config.planes && spread == ShapeKind::planar) {
-        const Eigen::Vector3d n = T.rotation.conjugate() * normal.cast<double>();
+      const LocalShape& shape = neighbour.shape;
+      if (config.planes && shape.kind == ShapeKind::sparse) M *= config.sparse_weight;
+      if (config.planes && shape.kind == ShapeKind::scattered)
+        M *= std::min(1.0, shape.points / config.scattered_points);
+      if (config.planes && shape.kind == ShapeKind::planar) {
+        const Eigen::Vector3d n = T.rotation.conjugate() * shape.normal.cast<double>();
         M = n * n.transpose() + config.within_plane_weight * Eigen::Matrix3d::Identity();
         squared = std::pow(n.dot(r), 2);
       }

@@ -112,7 +112,7 @@ TEST(RunFolder, SummaryAccountsForTheRun) {
   EXPECT_NEAR(run["cpu_seconds_per_scan"],
               (run["cpu_seconds"].get<double>() - summary.reading_cpu_seconds) / 201, 1e-3);
   EXPECT_EQ(run["wall_seconds"], 12.5);
-  EXPECT_EQ(run["parameters"]["map"]["voxel_size"], 1.0);
+  EXPECT_EQ(run["parameters"]["map"]["voxel_size"], OdometryConfig{}.map.voxel_size);
   EXPECT_EQ(run["topic"], "/points");
   EXPECT_EQ(run["tracked_frame"], "base_link");
   EXPECT_EQ(run["time_source"], "field 'time'");

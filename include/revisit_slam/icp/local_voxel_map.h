@@ -8,6 +8,7 @@
 #include "revisit_slam/geometry/voxel_numbers.h"
 #include "revisit_slam/icp/local_shape.h"
 #include "revisit_slam/icp/local_voxel_map_config.h"
+#include "revisit_slam/icp/moment_grid.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/scan.h"
 
@@ -24,7 +25,8 @@ struct Neighbour {
 /// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
 /// A point enters when its voxel has room and no point of that voxel is closer than
 /// voxel_size / sqrt(max_points_per_voxel). The local shape of a voxel is determined anew
-/// whenever a point enters it. Points are kept relative to their voxel, so that float
+/// whenever a point enters it; points along a line are looked at in cubes of three voxels as well.
+/// Points are kept relative to their voxel, so that float
 /// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
 /// calls alone.
 class LocalVoxelMap {
@@ -91,6 +93,7 @@ class LocalVoxelMap {
   void updateShapes(std::vector<BlockIndex>& changed);
   bool isLevel(BlockIndex block) const;
   PointMoments momentsAround(const Voxel& voxel) const;
+  LocalShape shapeAt(const Voxel& voxel) const;
   const Quad* quads(BlockIndex block) const { return &quads_[block * quads_per_block_]; }
   std::size_t quadsOf(BlockIndex block) const { return (sizes_[block] + kLanes - 1) / kLanes; }
   Eigen::Vector3f inVoxel(BlockIndex block, std::size_t point) const {
@@ -107,6 +110,7 @@ class LocalVoxelMap {
   float min_spacing_squared_;
 
   VoxelNumbers block_of_;
+  MomentGrid farther_;  // in cubes of three voxels, whose points may be gone; empty without shapes
   std::vector<Quad> quads_;
   std::vector<Voxel> voxels_;
   std::vector<PointMoments> moments_;  // from the voxel's corner; empty without shapes

@@ -7,7 +7,7 @@ namespace revisit_slam {
 
 /// The local map that scans are registered to.
 struct LocalVoxelMapConfig {
-  double voxel_size = 1.0;
+  double voxel_size = 0.7;
   int max_points_per_voxel = 20;
 
   template <typename Visitor>
