@@ -25,7 +25,7 @@ Ir                    file:function
 --------------------------------------------------------------------------------
 900,000 (45.00%)  ???:revisit_slam::Odometry::commit() [/opt/offline]
 800,000 (40.00%)  ???:revisit_slam::Odometry::commit()'2 [/opt/offline]
-100,000 ( 5.00%)  ./src/a.cpp:revisit_slam::PointMap::insert(std::vector<int, A<int> > const&) [/opt/offline]
+100,000 ( 5.00%)  ./src/a.cpp:revisit_slam::DetailMap::insert(std::vector<int, A<int> > const&) [/opt/offline]
  50,000 ( 2.50%)  ???:revisit_slam::Odometry::commitment() [/opt/offline]
 """
 

@@ -90,6 +90,7 @@ TEST_F(MapManagerTest, closesMapsAndSearchesEachOnce) {
 }
 
 TEST_F(MapManagerTest, inRoomsMapsAreSmallerAsTheVoxelsOfTheOdometryAre) {
+  config_.odometry.map.voxel_size = 1.0;
   const auto submapsWith = [&](double voxel_size) {
     maps_.clear();
     InlineLane building, searching;
