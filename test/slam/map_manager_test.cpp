@@ -60,8 +60,7 @@ class MapManagerTest : public testing::Test {
 
   /// `metres` along the street, 5 m a scan.
   void drive(MapManager& manager, double metres, SessionId session = kFirst) {
-    std::uint32_t number = 0;
-    for (double x = 0; x <= metres; x += 5.0) manager.insert(scan(number++, x, session));
+    for (std::uint32_t i = 0; 5.0 * i <= metres; ++i) manager.insert(scan(i, 5.0 * i, session));
   }
 
   SlamConfig config_;
