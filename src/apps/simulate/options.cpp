@@ -44,7 +44,8 @@ void declareDrive(CLI::App& app, Options& o) {
                  "drive through the same world once more: each number from 1 has other traffic, "
                  "parked cars and noise")
       ->check(CLI::NonNegativeNumber);
-  app.add_flag("--reverse", o.route.visit.reversed, "of a visit: from the way's end to its start");
+  app.add_flag("--reverse", o.route.visit.reversed,
+               "of a visit: drives the way from its end to its start");
   app.add_option("--aside", o.route.visit.aside, "of a visit: metres left of the lane")
       ->check(CLI::Range(-1.0, 4.0));
   app.add_option("--start-time", o.start_time, "seconds since 1970 at the start")
