@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/simulation/drive.h"
 
-#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <memory>
 #include <utility>
+
+#if __has_include(<tbb/parallel_pipeline.h>)
+#include <tbb/parallel_pipeline.h>
+using FilterMode = tbb::filter_mode;
+#else  // TBB before 2021
+#include <tbb/pipeline.h>
+using FilterMode = tbb::filter;
+#endif
 
 namespace revisit_slam::simulation {
 namespace {
@@ -44,9 +51,9 @@ void simulateDrive(const ScanSimulator& simulator, const Route& route, int count
   const auto hand_over = [&](const Item& item) { consume(item.index, *item.scan); };
   arena.execute([&] {
     tbb::parallel_pipeline(
-        tokens, tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order, enumerate) &
-                    tbb::make_filter<int, Item>(tbb::filter_mode::parallel, simulate) &
-                    tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, hand_over));
+        tokens, tbb::make_filter<void, int>(FilterMode::serial_in_order, enumerate) &
+                    tbb::make_filter<int, Item>(FilterMode::parallel, simulate) &
+                    tbb::make_filter<Item, void>(FilterMode::serial_in_order, hand_over));
   });
 }
 
