@@ -5,6 +5,14 @@
 #include <utility>
 
 namespace revisit_slam {
+namespace {
+
+/// Local maps that may wait for their search: they hold their points until then. A search and the
+/// graph answer each other behind the nodes that wait in the background, so that scans which come
+/// faster than from a sensor would leave them farther and farther behind.
+constexpr int kMostMapsWaiting = 2;
+
+}  // namespace
 
 Slam::Slam(const SlamConfig& config, SlamObserver& observer, Executor& executor,
            SessionTargets targets, const KnownMapPtr& prior)
@@ -78,6 +86,7 @@ void Slam::insert(const InformedScan& informed) {
     back_end_.add(node, prior);
   });
   maps_.insert(informed);
+  if (maps_.count().maps_waiting > kMostMapsWaiting) executor_.background().drain();
 }
 
 void Slam::end(const MapsClosed& closed) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "revisit_slam/session/session_graph.h"
 #include "support/simulated_slam.h"
@@ -117,6 +120,35 @@ TEST(Slam, EveryScanHasItsPlaceAndEveryMapItsSearch) {
   EXPECT_EQ(local_maps, static_cast<std::size_t>(std::count_if(
                             recorder.searches.begin(), recorder.searches.end(), isByAppearance)));
   EXPECT_EQ(fullRun().trajectory().size(), scans);
+}
+
+/// How many local maps are closed, but not searched; searches are slow.
+class LagObserver final : public SlamObserver {
+ public:
+  void onMaps(const MapUpdate& update) override {
+    if (update.local_map) most_ = std::max(most_, ++closed_ - searched_.load());
+  }
+  void onLoopSearch(const LoopSearchResult& result) override {
+    if (!isByAppearance(result)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ++searched_;
+  }
+  int closed() const { return closed_; }
+  int most() const { return most_; }
+
+ private:
+  int closed_ = 0, most_ = 0;
+  std::atomic<int> searched_{0};
+};
+
+TEST(Slam, ScansThatComeFastWaitForSearchesThatHoldMaps) {
+  LagObserver lag;
+  StagedExecutor executor((BackgroundConfig()));
+  Slam slam(SlamConfig{}, lag, executor);
+  for (const InformedScan& scan : oppositeDrive().scans) slam.insert(scan);
+  slam.finish();
+  EXPECT_GT(lag.closed(), 5);
+  EXPECT_LE(lag.most(), 3);
 }
 
 TEST(Slam, CorrectionsAreNumberedAndConsistent) {
