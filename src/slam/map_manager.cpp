@@ -123,7 +123,12 @@ void MapManager::hand(MapUpdate update) {
   const auto maps = std::make_shared<const MapUpdate>(std::move(update));
   outputs_.maps(maps);
   if (!maps->local_map) return;
-  inLane(session_, [map = maps->local_map](LoopClosing& closing) { closing.add(map); });
+  ++handed_;
+  ++count_.maps_waiting;
+  inLane(session_, [this, map = maps->local_map](LoopClosing& closing) {
+    --handed_;
+    closing.add(map);
+  });
 }
 
 void MapManager::correct(const MapCorrectionPtr& correction) {
@@ -165,7 +170,7 @@ void MapManager::inLane(SessionId session, const std::function<void(LoopClosing&
 
 /// A session that is over lives on until its work is done.
 void MapManager::tidyUp() {
-  std::size_t waiting = 0;
+  std::size_t waiting = static_cast<std::size_t>(handed_);
   for (auto entry = closing_.begin(); entry != closing_.end();) {
     waiting += entry->second.waiting();
     const bool is_over = entry->first != newest_ && entry->second.isIdle();

@@ -83,6 +83,7 @@ class MapManager {
   Lane &building_, &searching_;
   const Outputs outputs_;
   MapManagerCount count_;
+  std::atomic<int> handed_{0};  // local maps on their way from lane to lane
 
   // In the lane that builds.
   SessionOrder order_;
