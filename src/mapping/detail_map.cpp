@@ -12,7 +12,7 @@ void DetailMap::insert(const Points& points_base, const Pose& T_submap_base,
   auto view = seen.begin();
   std::size_t visited = 0;
   std::size_t begin = points_.size();
-  const auto endViews = [&] {
+  const auto endViews = [&] {  // whose points were all visited, or that have none
     for (; view != seen.end() && visited >= view->end; ++view) {
       if (points_.size() > begin)
         sightings_.groups.push_back(
@@ -22,10 +22,11 @@ void DetailMap::insert(const Points& points_base, const Pose& T_submap_base,
   };
   forEachInGrid(points_base, T_submap_base, voxels_per_metre_,
                 [&](const GridPoints<double>& placed, std::size_t i) {
+                  endViews();
                   see(placed.voxel(i), placed.point(i));
                   ++visited;
-                  endViews();
                 });
+  endViews();
   ++scans_;
 }
 

@@ -55,5 +55,15 @@ TEST(DetailMap, KnowsWhichSensorSawAPoint) {
   EXPECT_EQ(sightings.groups[1].end, 2u);
 }
 
+TEST(DetailMap, ASensorWithoutPointsSawNone) {
+  DetailMap map(0.1);
+  const Eigen::Vector3d blind(5.0, 0.0, 0.5), front(1.0, 0.0, 0.5);
+  map.insert(kPoints, {}, front, {{blind, 0}, {front, 3}, {blind, 3}});
+  const Sightings& sightings = map.sightings();
+  ASSERT_EQ(sightings.groups.size(), 1u);
+  EXPECT_EQ(sightings.groups[0].sensor_base, front.cast<float>());
+  EXPECT_EQ(sightings.groups[0].end, 2u);
+}
+
 }  // namespace
 }  // namespace revisit_slam
