@@ -13,8 +13,6 @@ constexpr float kNarrowest = 0.02f;
 constexpr float kThickest = 0.1f;
 /// A line with a larger vertical part is a pole, and no ring of a sensor.
 constexpr float kUpright = 0.8f;
-/// Cubes of what lies farther around are so many times larger.
-constexpr float kFarther = 3.0f;
 /// Edges that points may be off a plane that is seen farther around (standard deviation).
 constexpr float kFarthestOff = 0.1f;
 
@@ -41,12 +39,12 @@ LocalShape localShapeOf(const PointMoments& around, float edge) {
   return {ShapeKind::planar, principal.axes.col(0), points, false};
 }
 
-LocalShape localShapeOf(const LocalShape& line, const PointMoments& near,
-                        const PointMoments& farther, float edge) {
+LocalShape widenedShapeOf(const LocalShape& line, const PointMoments& near,
+                          const PointMoments& farther, float edge) {
   if (near.count == 0.0f || farther.count < kFewestPoints) return line;
   const PrincipalAxes principal = farther.principalAxes();
   const float farthest_off = kFarthestOff * edge;
-  if (isLine(principal, kFarther * edge) || !isThin(principal) ||
+  if (isLine(principal, kFartherEdges * edge) || !isThin(principal) ||
       principal.variances[0] > farthest_off * farthest_off)
     return line;
   const Eigen::Vector3f normal = principal.axes.col(0);

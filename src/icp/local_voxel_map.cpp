@@ -59,7 +59,7 @@ LocalVoxelMap::LocalVoxelMap(const LocalVoxelMapConfig& config, bool local_shape
       quads_per_block_((max_points_ + kLanes - 1) / kLanes),
       min_spacing_squared_(
           static_cast<float>(voxel_size_ * voxel_size_ / config.max_points_per_voxel)),
-      farther_(3.0 * config.voxel_size) {}
+      farther_(kFartherEdges * config.voxel_size) {}
 
 Points LocalVoxelMap::points(const Pose& T_target_odom) const {
   Points points;
@@ -105,7 +105,7 @@ LocalShape LocalVoxelMap::shapeAt(const Voxel& voxel) const {
   const PointMoments near = momentsAround(voxel);
   const LocalShape shape = localShapeOf(near, edge);
   if (!shape.is_line) return shape;
-  return localShapeOf(shape, near, farther_.around(voxel_size_ * voxel.cast<double>()), edge);
+  return widenedShapeOf(shape, near, farther_.around(voxel_size_ * voxel.cast<double>()), edge);
 }
 
 PointMoments LocalVoxelMap::momentsAround(const Voxel& voxel) const {
@@ -189,7 +189,7 @@ bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& poi
 }
 
 void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distance) {
-  farther_.dropBeyond(centre_odom, distance + 3.0 * voxel_size_);
+  farther_.dropBeyond(centre_odom, distance + kFartherEdges * voxel_size_);
   const Eigen::Vector3f centre =
       (centre_odom / voxel_size_ - Eigen::Vector3d::Constant(0.5)).cast<float>();
   const float limit = static_cast<float>(distance * distance / (voxel_size_ * voxel_size_));

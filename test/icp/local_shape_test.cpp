@@ -82,7 +82,7 @@ PointMoments momentsOf(const Points& points) {
 
 LocalShape withFarther(const Points& near, Points farther) {
   farther.insert(farther.end(), near.begin(), near.end());
-  return localShapeOf(of(near), momentsOf(near), momentsOf(farther), kEdge);
+  return widenedShapeOf(of(near), momentsOf(near), momentsOf(farther), kEdge);
 }
 
 /// Rings on the ground and columns on a wall beside the road.
@@ -116,8 +116,8 @@ TEST(LocalShape, ALineThatNoPlaneIsSeenAroundStaysOne) {
   for (const double radius : {8.0, 9.0, 11.0, 12.0})
     for (const Eigen::Vector3f& point : arc(radius, -0.2, 0.2, 40, random)) ground.push_back(point);
   EXPECT_EQ(withFarther(pole, ground).kind, ShapeKind::scattered) << "a pole stands on a plane";
-  Points bar;
-  for (const Eigen::Vector3f& point : ring) bar.push_back(point + Eigen::Vector3f(0, 0, 0.5f));
+  Points bar;  // too few to thicken the plane
+  for (int i = 8; i < 12; ++i) bar.push_back(ring[i] + Eigen::Vector3f(0, 0, 0.5f));
   EXPECT_EQ(withFarther(bar, ground).kind, ShapeKind::sparse) << "above a plane";
 }
 

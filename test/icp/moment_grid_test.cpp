@@ -40,7 +40,7 @@ TEST(MomentGrid, HasTheMomentsOfTheCubesAroundAPlace) {
   EXPECT_EQ(grid.around({500.0, 0.0, 0.0}).count, 0.0f);
 }
 
-TEST(MomentGrid, ForgetsWhatIsFarAndUsesItsRoomAgain) {
+TEST(MomentGrid, ForgetsWhatIsFarAndTakesPointsAgain) {
   RandomNumbers random(2);
   const Points points = random.cloud(3000, 12.0);
   MomentGrid grid(kEdge);

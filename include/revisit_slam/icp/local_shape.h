@@ -10,8 +10,7 @@ namespace revisit_slam {
 /// How the map points around a place are distributed: what a distance to the nearest of them means.
 enum class ShapeKind : std::uint8_t {
   /// Too few, or along a line that is not upright: perhaps a single ring of the sensor on a surface
-  /// that is not known between its rings. Rings move along with the sensor; the distance to one
-  /// says
+  /// that is not known between its rings. Rings move along with it; the distance to one says
   /// little.
   sparse,
   planar,     ///< the distance to the plane counts, the one within it depends on where rays fell
@@ -31,10 +30,13 @@ struct LocalShape {
 /// `around`: of the points in a voxel and the 26 around it, `edge` its length in metres; z is up.
 LocalShape localShapeOf(const PointMoments& around, float edge);
 
+/// What lies farther around is looked at in cubes of so many edges.
+constexpr int kFartherEdges = 3;
+
 /// Of points along a line, with what lies farther around: planar if that is a plane, as thin as a
 /// tenth of an edge, and the points lie on it; else as `line` has it.
-/// @param near, farther moments about the same origin, those of farther in cubes of three edges.
-LocalShape localShapeOf(const LocalShape& line, const PointMoments& near,
-                        const PointMoments& farther, float edge);
+/// @param near, farther moments about the same origin, those of farther in the larger cubes.
+LocalShape widenedShapeOf(const LocalShape& line, const PointMoments& near,
+                          const PointMoments& farther, float edge);
 
 }  // namespace revisit_slam

@@ -25,10 +25,9 @@ struct Neighbour {
 /// The points around the robot that scans are registered to, in cubic voxels (KISS-ICP Sec. III-C).
 /// A point enters when its voxel has room and no point of that voxel is closer than
 /// voxel_size / sqrt(max_points_per_voxel). The local shape of a voxel is determined anew
-/// whenever a point enters it; points along a line are looked at in cubes of three voxels as well.
-/// Points are kept relative to their voxel, so that float
-/// holds them to a micrometre anywhere on Earth. What the map holds depends on the order of the
-/// calls alone.
+/// whenever a point enters it; where its points are along a line, what lies farther around counts,
+/// too. Points are kept relative to their voxel, so that float holds them to a micrometre anywhere
+/// on Earth. What the map holds depends on the order of the calls alone.
 class LocalVoxelMap {
  public:
   /// `local_shapes`: false leaves out the shapes of neighbours, which are then sparse without
@@ -110,7 +109,7 @@ class LocalVoxelMap {
   float min_spacing_squared_;
 
   VoxelNumbers block_of_;
-  MomentGrid farther_;  // in cubes of three voxels, whose points may be gone; empty without shapes
+  MomentGrid farther_;  // its points may be gone from the map; empty without shapes
   std::vector<Quad> quads_;
   std::vector<Voxel> voxels_;
   std::vector<PointMoments> moments_;  // from the voxel's corner; empty without shapes
