@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 #include <pcl/io/ply_io.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 
 #include "revisit_slam/io/bytes.h"
 #include "support/temporary_folder.h"
