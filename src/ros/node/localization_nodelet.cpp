@@ -41,7 +41,12 @@ void LocalizationNodelet::start() {
   ros::NodeHandle& node = getNodeHandle();
   transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
                                           [this](const auto&) { broadcaster_->broadcast(); });
-  advertise(node);
+  // In the lane, where the map is drawn: not before it has a publisher.
+  lane_->post([&] {
+    advertise(node);
+    drawMapIfWanted();
+  });
+  lane_->drain();
   subscribe(node);
   loader_ = std::make_unique<MapLoader>(
       getPrivateNodeHandle(), config_.live,
@@ -138,6 +143,11 @@ void LocalizationNodelet::startAt(const geometry_msgs::PoseWithCovarianceStamped
     NODELET_WARN("a pose was drawn in the frame '%s', which is not '%s': it is left out",
                  drawn.header.frame_id.c_str(), config_.frames.map.c_str());
   }
+}
+
+/// Those in this process who listened before are not announced by roscpp 1.15 (ROS Noetic).
+void LocalizationNodelet::drawMapIfWanted() const {
+  if (map_publisher_.getNumSubscribers() > 0) drawMap();
 }
 
 void LocalizationNodelet::drawMap() const {

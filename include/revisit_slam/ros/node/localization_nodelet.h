@@ -33,6 +33,7 @@ class LocalizationNodelet : public SlamNodelet {
   void change(std::unique_ptr<LocalizationStage> stage);
   void publish(const Localization& now);
   void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
+  void drawMapIfWanted() const;
   void drawMap() const;
   void drawTarget(SubmapId target) const;
 
