@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/simulation/ray_caster.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -48,6 +52,16 @@ void commitWithOneThread(RTCScene scene) {
   rtcCommitScene(scene);
 }
 
+void intersect(RTCScene scene, RTCRayHit& query) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect1(scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+#endif
+}
+
 }  // namespace
 
 RayCaster::RayCaster(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
@@ -74,9 +88,7 @@ std::optional<RayHit> RayCaster::cast(const Eigen::Vector3d& origin,
   query.ray = {o.x(), o.y(), o.z(), 0.0F, d.x(), d.y(), d.z(), 0.0F, static_cast<float>(max_range),
                ~0U,   0,     0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_->scene, &context, &query);
+  intersect(scene_->scene, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const Eigen::Vector3f normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
   const float length = normal.norm();
