@@ -6,6 +6,7 @@ namespace revisit_slam {
 NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
   point_weight_ += other.point_weight_;
   plane_weight_ += other.plane_weight_;
+  ring_weight_ += other.ring_weight_;
   squares_ += other.squares_;
   wp_ += other.wp_;
   wr_ += other.wr_;

@@ -46,11 +46,6 @@ void select(const std::vector<float>& values, const VoxelFilter::Indices& indice
   for (const std::uint32_t index : indices) selected.push_back(values[index]);
 }
 
-/// Of a motion that was measured; others are weighed as the registration's configuration says.
-std::optional<Matrix6> weighedInformation(const PredictedMotion& predicted) {
-  return predicted.is_measured ? std::optional<Matrix6>(predicted.information) : std::nullopt;
-}
-
 /// m, the median distance from the sensor.
 double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base) {
   std::vector<float> ranges;
@@ -139,9 +134,10 @@ OdometryResult Odometry::align(const Scan& scan) {
   if (predicted.covariance) registered.prior_information = predicted.covariance->inverse();
   registered.sigma = sigmaFor(predicted);
   const RingSpacing rings = ringsOf(scan);
-  registered.registration =
-      registration_.align(registered.source_base, source_sweep_fractions_, map_, T_odom_predicted,
-                          registered.sigma, rings, weighedInformation(predicted));
+  PosePrediction prediction = predictionOf(T_odom_predicted);
+  if (predicted.is_measured) prediction.information = predicted.information;
+  registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
+                                                map_, prediction, registered.sigma, rings);
   recover(predicted, rings, registered);
   registered.verdict = verdictOn(registered);
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
@@ -161,6 +157,7 @@ OdometryResult Odometry::align(const Scan& scan) {
               registered.registration.information,
               !predicted.is_after_gap && !predicted.is_measured,
               registered.registration.explained,
+              registered.registration.sees_motion,
               registered.verdict,
               medianRange(registered.source_base, registered.sensor_base)};
   clock.stage("register");
@@ -179,6 +176,8 @@ void Odometry::commit() {
   } else if (aligned.enters_threshold) {
     threshold_.update(aligned.deviation);
   }
+  motion_is_seen_ =
+      aligned.verdict != PoseVerdict::lost && (motion_is_seen_ || aligned.sees_motion);
   map_.insert(map_points_base_, aligned.T_odom_base);
   map_.dropBeyond(aligned.T_odom_base.translation, config_.max_range);
   followScale(aligned);
@@ -220,6 +219,12 @@ void Odometry::followScale(const Aligned& aligned) {
   const Points points_base = map_.points(aligned.T_odom_base.inverse());
   map_ = emptyMap(scale_.voxelSize());
   map_.insert(points_base, aligned.T_odom_base);
+}
+
+PosePrediction Odometry::predictionOf(const Pose& T_odom_predicted) const {
+  PosePrediction prediction(T_odom_predicted);
+  prediction.motion_is_seen = motion_is_seen_;
+  return prediction;
 }
 
 /// Where the motion was measured, its error is that of the measurement.
@@ -265,8 +270,9 @@ void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& ring
     if (other.explained > best.explained) best = other;
   }
   if (best.explained > registered.registration.explained)
-    registered.registration = registration_.align(registered.source_base, {}, map_,
-                                                  best.T_odom_base, threshold_.sigma(), rings);
+    registered.registration =
+        registration_.align(registered.source_base, {}, map_, predictionOf(best.T_odom_base),
+                            threshold_.sigma(), rings);
   vain_recoveries_ = fits() ? 0 : vain_recoveries_ + 1;
 }
 
@@ -297,8 +303,9 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   map_.insert(map_points_base_, Pose::identity());
   registered.points_base = preprocess(scan, motion, config_).points_base;
   downsample(registered);
-  registered.registration = registration_.align(
-      registered.source_base, {}, map_, registered.T_odom_base, registered.sigma, ringsOf(scan));
+  registered.registration =
+      registration_.align(registered.source_base, {}, map_, predictionOf(registered.T_odom_base),
+                          registered.sigma, ringsOf(scan));
   registered.T_odom_base = registered.registration.T_odom_base;
 }
 

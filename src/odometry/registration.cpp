@@ -64,32 +64,33 @@ NormalEquations linearise(const Source& source, const LocalVoxelMap& map, const 
 }
 
 /// The predicted pose, and its weight in units of those of the matches.
-struct Prediction {
+struct WeighedPrediction {
   const Pose& T_odom_base;
   Matrix6 weight;
 };
 
 /// Without information the weight is that of the configuration, in deskewed scans.
-Prediction predictionOf(const Pose& T_odom_predicted, const std::optional<Matrix6>& information,
-                        bool deskewed, const RegistrationConfig& config) {
+WeighedPrediction weighed(const PosePrediction& predicted, bool deskewed, const RingLimit& rings,
+                          const RegistrationConfig& config) {
   Matrix6 weight = Matrix6::Zero();
-  if (information) {
-    weight = kMatchVariance * *information;
+  if (predicted.information) {
+    weight = kMatchVariance * *predicted.information;
   } else if (deskewed) {
     weight.diagonal().setConstant(config.prediction_weight);
+    weight = rings.limited(weight);
   }
-  return {T_odom_predicted, weight};
+  return {predicted.T_odom_base, weight};
 }
 
 /// Moves the pose, and with sweep fractions the deskew correction. @return the step.
 Tangent takeStep(const NormalEquations& equations, const Source& source,
-                 const Prediction& prediction, const RegistrationConfig& config,
+                 const WeighedPrediction& prediction, const RegistrationConfig& config,
                  RegistrationResult& result) {
   const auto deviation = [&] { return log(prediction.T_odom_base.inverse() * result.T_odom_base); };
   if (source.sweep_fractions.empty()) {
     const Matrix6 H = equations.H() + prediction.weight;
     const Tangent g = equations.g() + prediction.weight * deviation();
-    const Tangent step = H.ldlt().solve(-g);
+    Tangent step = H.ldlt().solve(-g);
     result.T_odom_base = boxplus(result.T_odom_base, step);
     return step;
   }
@@ -104,6 +105,7 @@ void stayAt(const Pose& T_odom_predicted, RegistrationResult& result) {
   result.T_odom_base = T_odom_predicted;
   result.deskew_correction = Tangent::Zero();
   result.information = Matrix6::Zero();
+  result.sees_motion = false;
   result.outcome = RegistrationOutcome::too_few_correspondences;
 }
 
@@ -111,35 +113,37 @@ void stayAt(const Pose& T_odom_predicted, RegistrationResult& result) {
 
 RegistrationResult Registration::align(const Points& points_base,
                                        const std::vector<float>& sweep_fractions,
-                                       const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                                       double initial_sigma, const RingSpacing& rings,
-                                       const std::optional<Matrix6>& prediction_information) {
+                                       const LocalVoxelMap& map, const PosePrediction& predicted,
+                                       double initial_sigma, const RingSpacing& rings) {
   RegistrationResult result;
-  result.T_odom_base = T_odom_predicted;
+  result.T_odom_base = predicted.T_odom_base;
   if (map.empty()) return result;
   across_.clear();
   for (const Eigen::Vector3f& point : points_base)
     across_.push_back(rings.at(point.cast<double>(), map.pointSpacing()));
   const Source source{points_base, sweep_fractions, across_, mean(sweep_fractions)};
-  const Prediction prediction =
-      predictionOf(T_odom_predicted, prediction_information, !sweep_fractions.empty(), config_);
+  RingLimit limit(predicted.motion_is_seen);
   AnnealedSigma sigma(initial_sigma, config_);
   matches_.assign(points_base.size(), CachedMatch{});
   result.outcome = RegistrationOutcome::max_iterations;
   while (result.iterations < config_.max_iterations) {
     const SweepPose pose(result.T_odom_base, result.deskew_correction);
-    const ScanObjective objective(config_, sigma.value());
+    const ScanObjective objective(config_, sigma.value(), limit.factor());
     const NormalEquations equations = linearise(source, map, pose, objective, matches_);
     result.correspondences = equations.matches();
     if (equations.matches() < static_cast<std::size_t>(config_.min_correspondences)) {
       result.outcome = RegistrationOutcome::converged;
-      if (!sigma.isReduced()) stayAt(T_odom_predicted, result);
+      if (!sigma.isReduced()) stayAt(predicted.T_odom_base, result);
       break;
     }
     result.rms_residual = equations.rms();
     result.explained =
         static_cast<double>(equations.explained()) / static_cast<double>(points_base.size());
     result.information = equations.H() / kMatchVariance;
+    limit.update(equations);
+    result.sees_motion = !limit.isNeeded();
+    const WeighedPrediction prediction =
+        weighed(predicted, !sweep_fractions.empty(), limit, config_);
     const Tangent step = takeStep(equations, source, prediction, config_, result);
     ++result.iterations;
     if (sigma.hasConverged(step.norm())) {

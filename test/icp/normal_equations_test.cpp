@@ -66,6 +66,7 @@ TEST(NormalEquations, OfBothAndOfPartsAreSums) {
     whole.add(plane, 2.0 * weight);
     part.add(point, weight);
     part.add(plane, 2.0 * weight);
+    part.countRing(weight);
     weights += 3.0 * weight;
   }
   whole.expectEqual();
@@ -73,6 +74,7 @@ TEST(NormalEquations, OfBothAndOfPartsAreSums) {
   EXPECT_LT((first.H() - whole.H).norm(), 1e-12 * whole.H.norm());
   EXPECT_LT((first.g() - whole.g).norm(), 1e-12 * whole.g.norm());
   EXPECT_NEAR(first.weight(), weights, 1e-9);
+  EXPECT_NEAR(first.ringWeight(), weights / 3.0, 1e-9);
 }
 
 TEST(NormalEquations, CountMatchesAndTheirResidualsOnce) {

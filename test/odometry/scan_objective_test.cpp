@@ -68,6 +68,21 @@ TEST(ScanObjective, OfAPlaneIsTheDistanceToItAndALittleOfThatWithinIt) {
   EXPECT_NEAR(equations.H()(0, 0), config.within_plane_weight * weight, 1e-9);
 }
 
+TEST(ScanObjective, CountsWhatMovesAlongWithTheSensor) {
+  const RegistrationConfig config;
+  const auto ring_weight = [&](ShapeKind kind, const RegistrationConfig& with) {
+    return add({kind, {0, 0, 1}, 100.0f}, with).ringWeight();
+  };
+  EXPECT_DOUBLE_EQ(ring_weight(ShapeKind::sparse, config),
+                   config.sparse_weight * robust(kMatch.squared()));
+  EXPECT_DOUBLE_EQ(ring_weight(ShapeKind::planar, config),
+                   config.within_plane_weight * robust(kMatch.r.y() * kMatch.r.y()));
+  EXPECT_EQ(ring_weight(ShapeKind::scattered, config), 0.0);
+  RegistrationConfig points;
+  points.planes = false;
+  EXPECT_EQ(ring_weight(ShapeKind::sparse, points), 0.0);
+}
+
 TEST(ScanObjective, IsPointToPointEverywhereWithoutPlanes) {
   RegistrationConfig config;
   config.planes = false;

@@ -40,19 +40,24 @@ class NormalEquations {
     if (explained) ++explained_;
   }
 
+  /// Of a point-to-point residual whose weight was added: its points move along with the sensor.
+  void countRing(double weight) { ring_weight_ += weight; }
+
   NormalEquations& operator+=(const NormalEquations& other);
 
   Matrix6 H() const;
   Tangent g() const;
 
   double weight() const { return point_weight_ + plane_weight_; }
+  /// What rings add to each direction of translation in H.
+  double ringWeight() const { return ring_weight_; }
   std::size_t matches() const { return matches_; }
   std::size_t explained() const { return explained_; }
   /// m, of the unweighted residuals of the matches.
   double rms() const { return std::sqrt(squares_ / static_cast<double>(matches_)); }
 
  private:
-  double point_weight_ = 0.0, plane_weight_ = 0.0, squares_ = 0.0;
+  double point_weight_ = 0.0, plane_weight_ = 0.0, ring_weight_ = 0.0, squares_ = 0.0;
   Eigen::Vector3d wp_ = Eigen::Vector3d::Zero(), wr_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wpxr_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d wpp_ = Eigen::Matrix3d::Zero();

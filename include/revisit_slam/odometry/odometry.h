@@ -74,6 +74,7 @@ class Odometry {
     Matrix6 information;  ///< of the registration alone
     bool enters_threshold;
     double explained;
+    bool sees_motion;
     PoseVerdict verdict;
     double reach;  ///< m, see VoxelScale
   };
@@ -81,6 +82,7 @@ class Odometry {
   LocalVoxelMap emptyMap(double voxel_size) const;
   void chooseScale(RegisteredScan& registered);
   void followScale(const Aligned& aligned);
+  PosePrediction predictionOf(const Pose& T_odom_predicted) const;
   double sigmaFor(const PredictedMotion& predicted) const;
   void downsample(RegisteredScan& registered);
   void recover(const PredictedMotion& predicted, const RingSpacing& rings,
@@ -107,6 +109,7 @@ class Odometry {
 
   std::uint32_t scans_ = 0;
   FitJudge fit_;
+  bool motion_is_seen_ = false;     // by a scan of the map
   int vain_recoveries_ = 0;         // in a row
   std::optional<Scan> first_scan_;  // until the second is registered
   Stamp previous_stamp_;

@@ -8,6 +8,7 @@
 #include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/icp/ring_spacing.h"
 #include "revisit_slam/odometry/odometry_config.h"
+#include "revisit_slam/odometry/ring_limit.h"
 #include "revisit_slam/odometry/scan_objective.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/registration_result.h"
@@ -15,6 +16,17 @@
 #include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
+
+/// What is known of a pose before the registration.
+struct PosePrediction {
+  PosePrediction(const Pose& T_odom_base) : T_odom_base(T_odom_base) {}  // NOLINT: a pose is one
+
+  Pose T_odom_base;
+  /// Of Log(T_odom_base^-1 T_odom_true), where the motion was measured: weighed in any case.
+  std::optional<Matrix6> information;
+  /// Whether registrations before have seen the motion (RingLimit).
+  bool motion_is_seen = true;
+};
 
 /// ICP of a scan to the local map (paper Eq. 1-2; KISS-ICP Sec. III-C) over right perturbations
 /// T * Exp(d). Each iteration matches the points and adds up their normal equations
@@ -30,14 +42,12 @@ class Registration {
     return ScanObjective::maxDistance(sigma);
   }
 
-  /// `sweep_fractions`: one for each point, or none; T_odom_predicted is then the first guess
-  /// alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. With
-  /// `prediction_information`, of Log(T_odom_predicted^-1 T_odom_true), the prediction is weighed
-  /// by it in any case. Runs in the current TBB arena; the same bits for any number of threads.
+  /// `sweep_fractions`: one for each point, or none; a prediction without information is then the
+  /// first guess alone. `initial_sigma` in metres. `rings`: of the sensor that saw the points. Runs
+  /// in the current TBB arena; the same bits for any number of threads.
   RegistrationResult align(const Points& points_base, const std::vector<float>& sweep_fractions,
-                           const LocalVoxelMap& map, const Pose& T_odom_predicted,
-                           double initial_sigma, const RingSpacing& rings = {},
-                           const std::optional<Matrix6>& prediction_information = {});
+                           const LocalVoxelMap& map, const PosePrediction& predicted,
+                           double initial_sigma, const RingSpacing& rings = {});
 
  private:
   RegistrationConfig config_;

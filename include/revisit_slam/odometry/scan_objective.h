@@ -34,9 +34,13 @@ namespace revisit_slam {
 /// loops/registration/fine_registration_objective.h, is made of the same parts.
 class ScanObjective {
  public:
-  /// `sigma`: m, the scale of the annealed kernel.
-  ScanObjective(const RegistrationConfig& config, double sigma)
-      : config_(config), sigma_(sigma), kernel_(GemanMcClure::ofSquaredScale(sigma)) {}
+  /// `sigma`: m, the scale of the annealed kernel. `ring_factor`: of the weights of what moves
+  /// along with the sensor (RingLimit).
+  ScanObjective(const RegistrationConfig& config, double sigma, double ring_factor = 1.0)
+      : config_(config),
+        sigma_(sigma),
+        ring_factor_(ring_factor),
+        kernel_(GemanMcClure::ofSquaredScale(sigma)) {}
 
   /// m: points without a map point nearer than this are not matched.
   static double maxDistance(double sigma) { return 3.0 * sigma; }
@@ -51,7 +55,9 @@ class ScanObjective {
       const double weight = kernel_.weight(plane.squared());
       countMatch(plane.squared(), equations);
       equations.add(plane, weight);
-      equations.add(match, config_.within_plane_weight * weight);
+      const double within = ring_factor_ * config_.within_plane_weight * weight;
+      equations.add(match, within);
+      equations.countRing(within);
     } else {
       const Eigen::Vector3d& u = across.direction_base;
       const PointToPlane between{match.p, u, u.dot(match.r)};
@@ -60,6 +66,7 @@ class ScanObjective {
       const double weight = shapeWeight(shape) * kernel_.weight(squared);
       countMatch(match.squared(), equations);
       equations.add(match, weight);
+      if (config_.planes && shape.kind == ShapeKind::sparse) equations.countRing(weight);
       if (unknown > 0.0) equations.add(between, -unknown * weight);
     }
   }
@@ -72,12 +79,13 @@ class ScanObjective {
   /// a_i. The denser the map, the less the nearest point depends on where rays fell.
   double shapeWeight(const LocalShape& shape) const {
     if (!config_.planes) return 1.0;
-    if (shape.kind == ShapeKind::sparse) return config_.sparse_weight;
+    if (shape.kind == ShapeKind::sparse) return ring_factor_ * config_.sparse_weight;
     return std::min(1.0, static_cast<double>(shape.points) / config_.scattered_points);
   }
 
   const RegistrationConfig& config_;
   double sigma_;
+  double ring_factor_;
   GemanMcClure kernel_;
 };
 

@@ -26,6 +26,9 @@ struct RegistrationResult {
   /// What the matches tell of T_odom_base, without the prediction: the inverse of a covariance of
   /// right perturbations, [m; rad] in the base frame. Zero where too little matched.
   Matrix6 information = Matrix6::Zero();
+  /// Whether in every direction of translation more holds the pose than rings that move along with
+  /// the sensor (RingLimit).
+  bool sees_motion = false;
   RegistrationOutcome outcome = RegistrationOutcome::map_empty;
   int iterations = 0;
   std::size_t correspondences = 0;
