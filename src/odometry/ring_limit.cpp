@@ -15,9 +15,11 @@ constexpr double kLeastFactor = 1e-3;
 }  // namespace
 
 void RingLimit::update(const NormalEquations& equations) {
-  const double limited = equations.ringWeight();
-  if (motion_is_seen_ || limited <= 0.0) return;
-  const double unlimited = limited / factor_;
+  if (motion_is_seen_) return;
+  const double limited = equations.ringWeight(), unlimited = limited / factor_;
+  factor_ = 1.0;
+  seen_.setIdentity();
+  if (unlimited <= 0.0) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
       Eigen::Matrix3d(equations.H().topLeftCorner<3, 3>()));
   Eigen::Matrix3d seen = Eigen::Matrix3d::Identity();

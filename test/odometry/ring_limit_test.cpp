@@ -33,6 +33,15 @@ TEST(RingLimit, RingsWeighNoMoreThanATwentiethOfAllElse) {
   EXPECT_GT(limit.factor(), 0.0);  // the equations stay regular
 }
 
+TEST(RingLimit, WhereNoRingsAreMatchedNothingIsLimitedAnyLonger) {
+  RingLimit limit(false);
+  limit.update(equationsWith(1000.0, 2.0, 1.0));
+  ASSERT_TRUE(limit.isNeeded());
+  limit.update(equationsWith(1000.0, 2.0, 0.0));
+  EXPECT_FALSE(limit.isNeeded());
+  EXPECT_EQ(limit.limited(Matrix6::Identity()), Matrix6::Identity());
+}
+
 TEST(RingLimit, ThePredictionWeighsNothingWhereRingsWouldHold) {
   RingLimit limit(false);
   const Matrix6 weight = 7.0 * Matrix6::Identity();
