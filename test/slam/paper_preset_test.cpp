@@ -111,12 +111,14 @@ TEST_P(PaperPreset, HasTheErrorsOfKissIcpAndOfRetroSlam) {
   const json &kiss = theirs.at("kiss-icp"), &retro = theirs.at("retro-slam");
   expectBetween(0.98, 1.02, ours.odometry_errors.relative.translation_percent, kiss["rpe_percent"],
                 "odometry, RPE");
-  if (ours.points == drive.at("points").get<std::size_t>())
-    expectBetween(0.95, 1.05, ours.odometry_errors.absolute.rmse, kiss["ate_m"], "odometry, ATE");
   // The registration of submaps, which the paper leaves open, is ours.
   expectBetween(0.80, 1.15, ours.corrected_errors.absolute.rmse, retro["ate_m"], "corrected, ATE");
   expectBetween(0.80, 1.15, ours.corrected_errors.relative.translation_percent,
                 retro["rpe_percent"], "corrected, RPE");
+  if (ours.points != drive.at("points").get<std::size_t>())
+    GTEST_SKIP() << "all but the ATE of the odometry is compared: another Embree made "
+                 << ours.points << " points here";
+  expectBetween(0.95, 1.05, ours.odometry_errors.absolute.rmse, kiss["ate_m"], "odometry, ATE");
 }
 
 INSTANTIATE_TEST_SUITE_P(ThreeDrives, PaperPreset, testing::Values(0, 1, 2));
