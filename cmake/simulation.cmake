@@ -1,13 +1,16 @@
 # The simulator, which casts its rays with Embree 3 or 4. Mapping does not need it: without Embree the
 # library, the program `simulate` and the tests on simulated drives are left out.
 include(CMakeDependentOption)
-find_package(embree QUIET)
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 QUIET)
+endif()
 cmake_dependent_option(REVISIT_SLAM_SIMULATION "Build the simulator" ON embree_FOUND OFF)
 if(NOT REVISIT_SLAM_SIMULATION)
   if(embree_FOUND)
     set(reason "REVISIT_SLAM_SIMULATION is off")
   else()
-    set(reason "no Embree was found")
+    set(reason "neither Embree 3 nor 4 was found")
   endif()
   message(STATUS "Without the simulator (${reason}): no `simulate`, no tests on simulated drives")
   return()
