@@ -145,7 +145,7 @@ void LocalizationNodelet::startAt(const geometry_msgs::PoseWithCovarianceStamped
   }
 }
 
-/// Those in this process who listened before are not announced by roscpp 1.15 (ROS Noetic).
+/// Those in this process who listened before are not announced by roscpp 1.15 (Debian 11).
 void LocalizationNodelet::drawMapIfWanted() const {
   if (map_publisher_.getNumSubscribers() > 0) drawMap();
 }
