@@ -3,10 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "revisit_slam/io/yaml_text.h"
 
 namespace revisit_slam {
 namespace {
@@ -15,7 +15,6 @@ namespace {
 /// stands for has no end, or not in this memory.
 constexpr int kDeepest = 16;
 constexpr int kMostNodes = 10'000;
-constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
 
 class Flattening {
  public:
@@ -41,32 +40,23 @@ class Flattening {
   int nodes_ = 0;
 };
 
-/// The parser takes many times the memory of what it reads.
-void requireModest(const std::string& path) {
-  std::error_code unreadable;  // which the parser says better
-  const std::uintmax_t size = std::filesystem::file_size(path, unreadable);
-  if (!unreadable && size > kLargestFile)
-    throw ParameterError("cannot read the parameter file '" + path + "': it has more than " +
-                         std::to_string(kLargestFile) + " bytes");
+template <typename Read>
+YAML::Node document(const std::string& failure, const Read& read) {
+  try {
+    return read();
+  } catch (const std::exception& error) {
+    throw ParameterError(failure + error.what());
+  }
 }
 
 }  // namespace
 
 std::vector<NamedText> readParameterFile(const std::string& path) {
-  requireModest(path);
-  try {
-    return flattened(YAML::LoadFile(path));
-  } catch (const YAML::Exception& error) {
-    throw ParameterError("cannot read the parameter file '" + path + "': " + error.what());
-  }
+  return flattened(document("", [&] { return readYaml(path); }));
 }
 
 std::vector<NamedText> parseParameterText(const std::string& yaml) {
-  try {
-    return flattened(YAML::Load(yaml));
-  } catch (const YAML::Exception& error) {
-    throw ParameterError(std::string("cannot read parameters: ") + error.what());
-  }
+  return flattened(document("cannot read parameters: ", [&] { return parseYaml(yaml); }));
 }
 
 std::vector<NamedText> flattened(const YAML::Node& node) {

@@ -9,6 +9,7 @@
 
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/whole_file.h"
+#include "revisit_slam/io/yaml_text.h"
 
 namespace revisit_slam {
 namespace {
@@ -90,7 +91,7 @@ SessionInfo readSessionInfo(const std::string& path) {
     throw std::runtime_error("there is no '" + path + "': the folder is no session");
   SessionInfo info;
   try {
-    const YAML::Node session = YAML::LoadFile(path);
+    const YAML::Node session = readYaml(path);
     const int format = session["format"].as<int>();
     if (format > kFormat)
       throw std::runtime_error("format " + std::to_string(format) + ", this software knows " +
