@@ -72,6 +72,7 @@ void MotionPriors::observe(Stamp from, Stamp to, const Pose& T_from_to,
   odometry_.observe(from, to, T_from_to, evidence);
   if (accounts_.count(kOdometry) > 0) account(kOdometry).scale = odometry_.scale();
   gyro_.observe(from, to, T_from_to);
+  if (accounts_.count(kGyro) > 0) account(kGyro).bias = gyro_.bias();
   odometry_.readings().forgetBefore(to);
   gyro_.readings().forgetBefore(to);
 }

@@ -43,6 +43,7 @@ json toJson(const std::map<std::string, PriorAccount>& priors) {
         {"scans",
          {{"used", account.used}, {"rejected", account.rejected}, {"missing", account.missing}}}};
     if (account.scale) all[sensor]["scale"] = *account.scale;
+    if (const auto& bias = account.bias) all[sensor]["bias"] = {bias->x(), bias->y(), bias->z()};
   }
   return all;
 }

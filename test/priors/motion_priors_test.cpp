@@ -71,5 +71,18 @@ TEST(MotionPriors, AccountForEveryMessage) {
   EXPECT_EQ(account.dropped.at("no transform from 'wheels'"), 1u);
 }
 
+TEST(MotionPriors, ReportTheBiasOfTheGyroUntilTheSessionEnds) {
+  MotionPriors priors(both());
+  const Eigen::Vector3d bias{0.01, -0.006, 0.004};
+  for (int i = 0; i <= 400; ++i) priors.take(imuAt(kStart, 0.1 * i, bias));
+  EXPECT_FALSE(priors.accounts().at("gyro").bias);
+  for (int i = 0; i < 400; ++i)
+    priors.observe(kStart.plusSeconds(0.1 * i), kStart.plusSeconds(0.1 * (i + 1)), Pose{}, {});
+  EXPECT_LT((*priors.accounts().at("gyro").bias - bias).norm(), 5e-4);
+  EXPECT_FALSE(priors.accounts().at("odometry").bias);
+  priors.restart();
+  EXPECT_FALSE(priors.accounts().at("gyro").bias);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -46,7 +46,6 @@ class MotionPriors {
   void observe(Stamp from, Stamp to, const Pose& T_from_to, const RegistrationEvidence& evidence);
   PriorAccount& account(const std::string& sensor) { return accounts_.at(sensor); }
   const std::map<std::string, PriorAccount>& accounts() const { return accounts_; }
-  const Eigen::Vector3d& gyroBias() const { return gyro_.bias(); }
 
   /// Another session: the accounts begin anew. Readings stay: the sensors go on.
   void restart();

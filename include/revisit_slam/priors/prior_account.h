@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -16,6 +17,7 @@ struct PriorAccount {
   std::size_t rejected = 0;                    ///< scans where it disagreed beyond the gate
   std::size_t missing = 0;                     ///< scans for which it had no readings
   std::optional<double> scale;                 ///< of an odometry, as estimated so far
+  std::optional<Eigen::Vector3d> bias;         ///< of a gyro, as estimated so far, rad/s
   bool is_silent = false;  ///< scans do not wait for it: its messages did not come in time
 };
 

@@ -61,7 +61,6 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       first_session_(prior ? nextSession(prior->session.info) : SessionId{}),
       total_(countOf(extent, source_->size())),
       progress_(config_.mapping.enabled ? "mapping" : "localizing", "scans", total_, quiet),
-      loop_candidates_(folder_.file("loop_candidates.csv")),
       executor_(config.background),
       slam_(
           config_, *this, executor_, [this](SessionId session, Stamp) { return targetOf(session); },
@@ -70,7 +69,8 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
     localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
     return;
   }
-  loop_candidates_.add(
+  loop_candidates_.emplace(folder_.file("loop_candidates.csv"));
+  loop_candidates_->add(
       "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n");
 }
 
@@ -161,6 +161,9 @@ void OfflineRun::sayPriors() {
                        std::to_string(account.rejected) + ", missing in " +
                        std::to_string(account.missing);
     if (account.scale) line += "; scale " + std::to_string(*account.scale);
+    if (const auto& bias = account.bias)
+      line += "; bias " + std::to_string(bias->x()) + " " + std::to_string(bias->y()) + " " +
+              std::to_string(bias->z()) + " rad/s";
     for (const auto& [reason, count] : account.dropped)
       line += "; dropped " + std::to_string(count) + ": " + reason;
     progress_.say(line);
@@ -242,7 +245,7 @@ void OfflineRun::sayWhatWaits() {
 
 void OfflineRun::onLoopSearch(const LoopSearchResult& result) {
   sayWhatWaits();
-  for (const LoopProposal& proposal : result.proposals) loop_candidates_.add(lineOf(proposal));
+  for (const LoopProposal& proposal : result.proposals) loop_candidates_->add(lineOf(proposal));
   const std::lock_guard<std::mutex> lock(mutex_);
   background_times_.push_back(result.times);
   if (result.origin == LoopOrigin::retroactive) {
@@ -302,7 +305,7 @@ void OfflineRun::writeResults() {
     judgeConsistency(summary);
   }
   if (localized_) localized_->finish();
-  if (!localized_) loop_candidates_.flush();
+  if (loop_candidates_) loop_candidates_->flush();
   folder_.finish(summary);
   if (account.processed == 0)
     throw BagError(account.received == 0

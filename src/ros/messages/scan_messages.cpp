@@ -8,6 +8,16 @@
 #include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
+namespace {
+
+template <typename Vector>
+std::string onOneLine(const Vector& vector) {
+  std::ostringstream text;
+  text << vector.transpose().format(Eigen::IOFormat(3, Eigen::DontAlignCols, " ", " "));
+  return text.str();
+}
+
+}  // namespace
 
 geometry_msgs::TransformStamped toTransform(const RegisteredScan& scan,
                                             const std::string& odom_frame,
@@ -131,6 +141,7 @@ void addPriors(const std::map<std::string, PriorAccount>& accounts,
     addValue(sensor + " rejected in scans", std::to_string(account.rejected), status);
     addValue(sensor + " missing in scans", std::to_string(account.missing), status);
     if (account.scale) addValue(sensor + " scale", std::to_string(*account.scale), status);
+    if (account.bias) addValue(sensor + " bias, rad/s", onOneLine(*account.bias), status);
     if (!account.is_silent) continue;
     if (status.level == status.OK) status.level = status.WARN;
     status.message += ", no messages of " + sensor;
@@ -152,12 +163,9 @@ void addLidars(const std::map<std::string, SensorAccount>& accounts,
 
 void addWeakDirections(const std::vector<WeakDirection>& weak_directions,
                        diagnostic_msgs::DiagnosticStatus& status) {
-  const Eigen::IOFormat on_one_line(3, Eigen::DontAlignCols, " ", " ");
-  for (const WeakDirection& weak : weak_directions) {
-    std::ostringstream text;
-    text << weak.direction.transpose().format(on_one_line);
-    addValue("weak direction, eigenvalue " + std::to_string(weak.eigenvalue), text.str(), status);
-  }
+  for (const WeakDirection& weak : weak_directions)
+    addValue("weak direction, eigenvalue " + std::to_string(weak.eigenvalue),
+             onOneLine(weak.direction), status);
 }
 
 void addValue(const std::string& key, const std::string& value,
