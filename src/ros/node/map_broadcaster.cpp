@@ -75,11 +75,15 @@ void MapBroadcaster::broadcastLocked(bool at_once) {
   constexpr double kLongest = 0.2;  // s
   const double since_scan = std::clamp((ros::Time::now() - newest_arrival_).toSec(), 0.0, kLongest);
   Stamp stamp = newest_scan_.plusSeconds(since_scan + live_.transform_tolerance);
+  // Once a second without new scans too, for those who begin to listen then.
+  constexpr double kRest = 1.0;  // s
+  const ros::WallTime now = ros::WallTime::now();
   if (stamp <= last_broadcast_) {
-    if (!at_once) return;
+    if (!at_once && (now - last_sent_).toSec() < kRest) return;
     stamp = last_broadcast_.plusSeconds(1e-6);  // tf ignores a second one of the same time
   }
   last_broadcast_ = stamp;
+  last_sent_ = now;
   geometry_msgs::TransformStamped message;
   message.header.stamp = toRosTime(stamp);
   message.header.frame_id = frames_.map;

@@ -88,6 +88,11 @@ TEST(WholeDrive, endsInTheFilesOfTheOfflineProgramAndLoopsCanBeDisabled) {
     const auto received = slam.copyOf(slam.corrections);
     return !received.empty() && isBroadcast(received.back()->T_map_odom);
   }));
+  // Who begins to listen when no more scans come hears it, too.
+  tf2_ros::Buffer late;
+  const tf2_ros::TransformListener late_listener(late);
+  EXPECT_TRUE(becomesTrue([&] { return late.canTransform("map", "odom", ros::Time(0)); }));
+
   const auto corrections = slam.copyOf(slam.corrections);
   for (std::size_t i = 0; i < corrections.size(); ++i) EXPECT_EQ(corrections[i]->version, i + 1);
   const Pose T_map_odom = corrections.back()->T_map_odom;

@@ -35,7 +35,8 @@ class MapBroadcaster {
   void correct(const MapCorrection& correction);
   /// Nothing is known any longer, until a scan comes.
   void forget();
-  /// Nothing before the first scan, nor twice for the same time.
+  /// Nothing before the first scan, nor twice for the same time: without new scans once a second,
+  /// a microsecond later each.
   void broadcast();
 
  private:
@@ -54,6 +55,7 @@ class MapBroadcaster {
   Stamp newest_scan_;
   ros::Time newest_arrival_;
   Stamp last_broadcast_;
+  ros::WallTime last_sent_;
 };
 
 }  // namespace revisit_slam
