@@ -101,8 +101,7 @@ class BackEndNodelet : public SlamNodelet {
 
   void startDisplay() {
     const auto draw_again = [this] { lane_->post([this] { draw(); }); };
-    display_ = std::make_unique<GraphDisplay>(getNodeHandle(), config_.frames.map,
-                                              config_.backend.min_inlier_weight, draw_again);
+    display_ = std::make_unique<GraphDisplay>(getNodeHandle(), config_, draw_again);
     occupancy_ = std::make_unique<OccupancyDisplay>(getNodeHandle(), config_.frames.map,
                                                     config_.occupancy, draw_again);
   }

@@ -41,9 +41,8 @@ class MapManagerNodelet : public SlamNodelet {
     searching_ = makeLane(config_.background.niceness);
     stage_ = std::make_unique<MapManager>(config_, *building_, *searching_, outputs());
     searching_->post([this] {
-      display_ = std::make_unique<MapDisplay>(getNodeHandle(), config_.frames.map, [this] {
-        searching_->post([this] { display_->draw(); });
-      });
+      display_ = std::make_unique<MapDisplay>(
+          getNodeHandle(), config_, [this] { searching_->post([this] { display_->draw(); }); });
     });
     startLiveParameters();
     const uint32_t depth = 0;  // no limit: none may be lost

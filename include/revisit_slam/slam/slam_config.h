@@ -54,6 +54,7 @@ struct LiveConfig {
   double transform_rate = 20.0;
   double transform_tolerance = 0.1;
   double transform_patience = 10.0;
+  int max_cloud_points = 200'000;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -83,13 +84,17 @@ struct LiveConfig {
       "rate at which the transform from map to odometry frame is broadcast. Raise it if "
       "transforms are missed between broadcasts; lower it to reduce traffic");
     v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
-      "time by which the transform from map to odometry frame is stamped ahead of the newest "
-      "scan. Raise it if lookups fail by extrapolation into the future; lower it if corrections "
-      "should take effect sooner");
+      "time by which the transform from map to odometry frame is stamped ahead of the newest scan "
+      "and of the time since it came (at most 0.2 s). Raise it if lookups fail by extrapolation "
+      "into the future; lower it if corrections should take effect sooner");
     v("transform_patience", transform_patience, Range{0.0, 3600.0}, "s",
       "longest wait for the transform of a sensor frame after its first scan; then its scans are "
       "dropped and counted until there is one. Raise it if transforms come late at start; lower "
       "it if scans of another sensor must not wait");
+    v("max_cloud_points", max_cloud_points, Range{1000, 10'000'000}, "",
+      "largest number of points of each cloud of maps for rviz (local_maps, submaps, map_cloud, "
+      "prior_map, matched_submap); of more, as many are picked evenly. Raise it where graphics are "
+      "fast; lower it if rviz shows few frames a second");
   }
 };
 

@@ -27,10 +27,10 @@ std::uint32_t packed(const std_msgs::ColorRGBA& colour) {
 }  // namespace
 
 sensor_msgs::PointCloud2 toColouredCloud(const std::vector<CloudPart>& parts,
-                                         const std::string& frame, std::size_t max_points) {
+                                         const std::string& frame, int max_points) {
   std::size_t total = 0;
   for (const CloudPart& part : parts) total += part.points->size();
-  const std::size_t step = std::max<std::size_t>(1, (total + max_points - 1) / max_points);
+  const std::size_t shown = std::min<std::size_t>(total, max_points);
 
   sensor_msgs::PointCloud2 cloud;
   cloud.header.frame_id = frame;
@@ -38,12 +38,13 @@ sensor_msgs::PointCloud2 toColouredCloud(const std::vector<CloudPart>& parts,
   cloud.height = 1;
   cloud.point_step = kPointBytes;
   cloud.is_dense = 1;
-  cloud.data.reserve((total / step + 1) * kPointBytes);
+  cloud.data.reserve(shown * kPointBytes);
   std::size_t index = 0;
   for (const CloudPart& part : parts) {
     const std::uint32_t rgb = packed(part.colour);
     for (const Eigen::Vector3f& point : *part.points) {
-      if (index++ % step != 0) continue;
+      ++index;
+      if (index * shown / total == (index - 1) * shown / total) continue;
       const Eigen::Vector3f placed =
           (part.T_map_points * Eigen::Vector3d(point.cast<double>())).cast<float>();
       const std::size_t at = cloud.data.size();

@@ -10,8 +10,6 @@
 namespace revisit_slam {
 namespace {
 
-constexpr std::size_t kMaxPoints = 2'000'000;
-
 /// Where the newest scan is in the map, as the graph has it.
 Localization stateOf(const GraphSession& session) {
   Localization now;
@@ -34,9 +32,9 @@ Localization stateOf(const GraphSession& session) {
 
 }  // namespace
 
-ExtensionDisplay::ExtensionDisplay(ros::NodeHandle& node, const std::string& frame,
+ExtensionDisplay::ExtensionDisplay(ros::NodeHandle& node, const SlamConfig& config,
                                    const std::function<void()>& on_subscriber)
-    : frame_(frame) {
+    : frame_(config.frames.map), max_points_(config.live.max_cloud_points) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =
       [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
@@ -68,7 +66,7 @@ void ExtensionDisplay::drawMap(const GraphSession& session) const {
       for (const SubmapPtr& submap : map->submaps)
         parts.push_back(
             {&submap->points, session.graph().pose(submap->first_scan), colour(0.5, 0.5, 0.5)});
-  map_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+  map_.publish(toColouredCloud(parts, frame_, max_points_));
 }
 
 }  // namespace revisit_slam

@@ -9,14 +9,16 @@
 namespace revisit_slam {
 namespace {
 
-constexpr std::size_t kMaxPoints = 2'000'000;
 constexpr std::size_t kMaxPoses = 2'000;
 
 }  // namespace
 
-GraphDisplay::GraphDisplay(ros::NodeHandle& node, const std::string& frame,
-                           double min_inlier_weight, std::function<void()> on_subscriber)
-    : frame_(frame), min_inlier_weight_(min_inlier_weight), extension_(node, frame, on_subscriber) {
+GraphDisplay::GraphDisplay(ros::NodeHandle& node, const SlamConfig& config,
+                           std::function<void()> on_subscriber)
+    : frame_(config.frames.map),
+      min_inlier_weight_(config.backend.min_inlier_weight),
+      max_points_(config.live.max_cloud_points),
+      extension_(node, config, on_subscriber) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =
       [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
@@ -43,7 +45,7 @@ void GraphDisplay::draw(const GraphSession& session) {
       whole.push_back(session.whole(*submap));
       parts.push_back({&whole.back()->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
     }
-    cloud_.publish(toColouredCloud(parts, frame_, kMaxPoints));
+    cloud_.publish(toColouredCloud(parts, frame_, max_points_));
   }
 }
 

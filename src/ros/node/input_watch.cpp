@@ -116,7 +116,7 @@ std::optional<Verdict> InputWatch::judgeArrival(const InputState& state) const {
     return Verdict{Level::warn, Fault::clock,
                    "/use_sim_time is true, but nobody publishes /clock: play recordings with "
                    "rosbag play --clock, or for a live sensor call rosparam set /use_sim_time "
-                   "false and start all nodes anew",
+                   "false and restart all nodes",
                    false};
   if (!is_silent) return std::nullopt;
   if (state.arrived == 0)

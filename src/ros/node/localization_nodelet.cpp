@@ -14,11 +14,6 @@
 #include "revisit_slam/ros/node/stage_topics.h"
 
 namespace revisit_slam {
-namespace {
-
-constexpr std::size_t kMaxPoints = 2'000'000;
-
-}  // namespace
 
 LocalizationNodelet::~LocalizationNodelet() {
   stopDiagnostics();
@@ -154,7 +149,7 @@ void LocalizationNodelet::drawMap() const {
   std::vector<CloudPart> parts;
   for (const PlacedSubmap& placed : stage_->map().submaps)
     parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.5, 0.5, 0.5)});
-  map_publisher_.publish(toColouredCloud(parts, config_.frames.map, kMaxPoints));
+  map_publisher_.publish(toColouredCloud(parts, config_.frames.map, config_.live.max_cloud_points));
 }
 
 void LocalizationNodelet::drawTarget(SubmapId target) const {
@@ -163,7 +158,8 @@ void LocalizationNodelet::drawTarget(SubmapId target) const {
   for (const PlacedSubmap& placed : stage_->map().submaps)
     if (placed.submap->id == target)
       parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.2, 0.8, 0.3)});
-  target_publisher_.publish(toColouredCloud(parts, config_.frames.map, kMaxPoints));
+  target_publisher_.publish(
+      toColouredCloud(parts, config_.frames.map, config_.live.max_cloud_points));
 }
 
 void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {

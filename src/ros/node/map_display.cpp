@@ -15,7 +15,6 @@
 namespace revisit_slam {
 namespace {
 
-constexpr std::size_t kMaxPoints = 1'000'000;
 constexpr std::size_t kSearches = 20;  // the newest, which are shown
 
 /// What placing a submap takes.
@@ -51,9 +50,9 @@ LocalMapPtr outermost(const LocalMap& map) {
 
 }  // namespace
 
-MapDisplay::MapDisplay(ros::NodeHandle& node, const std::string& frame,
+MapDisplay::MapDisplay(ros::NodeHandle& node, const SlamConfig& config,
                        std::function<void()> on_subscriber)
-    : frame_(frame) {
+    : frame_(config.frames.map), max_points_(config.live.max_cloud_points) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =
       [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); };
@@ -140,7 +139,7 @@ sensor_msgs::PointCloud2 MapDisplay::drawn(
     whole.push_back(library_->whole(submap->id));
     parts.push_back({&whole.back()->points, placeOf(*submap), colour(*submap)});
   }
-  return toColouredCloud(parts, frame_, kMaxPoints);
+  return toColouredCloud(parts, frame_, max_points_);
 }
 
 void MapDisplay::drawMarkers() const {

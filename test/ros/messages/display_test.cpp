@@ -68,12 +68,17 @@ TEST(ColouredCloud, placesAndColoursEveryPart) {
   EXPECT_EQ(rgb, 0xff0000u);
 }
 
-TEST(ColouredCloud, staysBelowTheMostPoints) {
-  const Points many(1000, Eigen::Vector3f::Zero());
-  for (const std::size_t most : {1u, 99u, 500u, 999u, 1000u}) {
-    const auto cloud = toColouredCloud({{&many, at(0, 0), colour(1, 1, 1)}}, "map", most);
-    EXPECT_LE(cloud.width, most);
-    EXPECT_GT(2 * cloud.width + 1, most);
+TEST(ColouredCloud, picksAsManyPointsAsItMayEvenly) {
+  Points many;
+  for (int i = 0; i < 1000; ++i) many.emplace_back(i, 0, 0);
+  const Points first(many.begin(), many.begin() + 300), rest(many.begin() + 300, many.end());
+  for (const int most : {1, 99, 500, 999, 1000, 2000}) {
+    const auto cloud = toColouredCloud(
+        {{&first, at(0, 0), colour(1, 1, 1)}, {&rest, at(0, 0), colour(1, 1, 1)}}, "map", most);
+    ASSERT_EQ(static_cast<int>(cloud.width), std::min(most, 1000));
+    const float step = 1000.0f / static_cast<float>(cloud.width);
+    for (std::size_t i = 1; i < cloud.width; ++i)
+      ASSERT_NEAR(coordinate(cloud, i, 0) - coordinate(cloud, i - 1, 0), step, 1.0f);
   }
 }
 

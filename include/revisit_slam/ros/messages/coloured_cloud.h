@@ -19,9 +19,9 @@ struct CloudPart {
   std_msgs::ColorRGBA colour;
 };
 
-/// One cloud of all parts with fields x, y, z, rgb, undated. Of more than `max_points` every n-th
-/// point is left.
+/// One cloud of all parts with fields x, y, z, rgb, undated. Of more than `max_points` as many are
+/// picked evenly.
 sensor_msgs::PointCloud2 toColouredCloud(const std::vector<CloudPart>& parts,
-                                         const std::string& frame, std::size_t max_points);
+                                         const std::string& frame, int max_points);
 
 }  // namespace revisit_slam

@@ -17,7 +17,7 @@ namespace revisit_slam {
 class ExtensionDisplay {
  public:
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
-  ExtensionDisplay(ros::NodeHandle& node, const std::string& frame,
+  ExtensionDisplay(ros::NodeHandle& node, const SlamConfig& config,
                    const std::function<void()>& on_subscriber);
 
   void draw(const GraphSession& session);
@@ -26,6 +26,7 @@ class ExtensionDisplay {
   void drawMap(const GraphSession& session) const;
 
   std::string frame_;
+  int max_points_;
   ros::Publisher map_, status_;
   std::optional<LocalizationState> told_;
   SessionId told_of_;

@@ -15,7 +15,7 @@ namespace revisit_slam {
 class GraphDisplay {
  public:
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
-  GraphDisplay(ros::NodeHandle& node, const std::string& frame, double min_inlier_weight,
+  GraphDisplay(ros::NodeHandle& node, const SlamConfig& config,
                std::function<void()> on_subscriber);
 
   void draw(const GraphSession& session);
@@ -24,6 +24,7 @@ class GraphDisplay {
  private:
   std::string frame_;
   double min_inlier_weight_;
+  int max_points_;
   ros::Publisher path_, edges_, cloud_;
   ExtensionDisplay extension_;
 };

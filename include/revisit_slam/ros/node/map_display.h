@@ -15,6 +15,7 @@
 #include "revisit_slam/loops/search/loop_search_result.h"
 #include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/session/known_map.h"
+#include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/map_correction.h"
 
 namespace revisit_slam {
@@ -24,7 +25,7 @@ namespace revisit_slam {
 class MapDisplay {
  public:
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
-  MapDisplay(ros::NodeHandle& node, const std::string& frame, std::function<void()> on_subscriber);
+  MapDisplay(ros::NodeHandle& node, const SlamConfig& config, std::function<void()> on_subscriber);
 
   /// `prior`: the map that the session goes on from, null: none. It is not shown, but what looks
   /// like it is.
@@ -56,6 +57,7 @@ class MapDisplay {
   void drawCandidates() const;
 
   std::string frame_;
+  int max_points_;
   ros::Publisher local_maps_, submap_points_, outlines_, keyposes_, density_, candidates_;
 
   SessionId session_;
