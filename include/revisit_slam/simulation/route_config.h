@@ -33,7 +33,7 @@ struct RouteConfig {
   /// Highest speed, m/s; 0: as in the file, or what suits the world.
   double speed = 0.0;
   bool stop_and_go = false;
-  /// Distance of the second lap from the first on the route `lateral`, metres, 2 to 8.
+  /// Distance of the later laps from the first on the route `lateral`, metres, 2 to 8.
   double lateral_offset = 5.0;
   MotionKind motion = MotionKind::kVehicle;
   VisitConfig visit;
