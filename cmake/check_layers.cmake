@@ -1,5 +1,5 @@
-# Fails where a file includes a room above its own (LAYERS lists them from the ground up), so that there is
-# no cycle between rooms, and where one below `ros` includes a header of ROS.
+# Fails where a file includes a module above its own (LAYERS lists them from the ground up), so that there is
+# no cycle between modules, and where one below `ros` includes a header of ROS.
 set(own_header "#include \"revisit_slam/([a-z_]+)/")
 set(ros_header "#include *[<\"](ros|tf2?|tf2_ros|nodelet|pluginlib|rosbag|topic_tools|[a-z_]+_msgs|std_srvs|pcl_ros|pcl_conversions|dynamic_reconfigure)/")
 list(FIND LAYERS ros ros_layer)

@@ -3,7 +3,7 @@
 include(cmake/core_dependencies.cmake)
 include(cmake/cli11.cmake)
 
-# From the ground up: a room includes itself and those before it.
+# From the ground up: a module includes itself and those before it.
 set(REVISIT_SLAM_CORE_FOLDERS util types geometry input icp priors odometry information occupancy mapping pose_graph loops io
     datasets evaluation session localization slam)
 set(core_sources)

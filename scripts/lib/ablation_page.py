@@ -10,12 +10,12 @@ from typing import Any, Dict, List, NamedTuple
 Cell = Dict[str, Any]
 
 METHOD = """\
-ATE in metres. Each drive is mapped twice, with our odometry and with that of the preset `paper` (with
-its down-sampling, information and splitting of maps); everything behind it runs on the maps that
-these leave: *information* sampled or the identity, for odometry and loops alike; *loops*, association
-and acceptance, ours or those of the preset; *retroactive* search on or off; the robust *kernel*, with
-the scale of the default. The default is in **bold**, the preset `paper` in *italics*, the best
-of a drive marked with °.
+ATE in metres. Each drive is mapped twice, with our odometry and with that of the preset `paper`
+(including its down-sampling, information and splitting of maps). Loops and graph then run on these
+maps in all combinations: *information* sampled or the identity, for odometry and loops; *loops* with
+the parameters of recognition, association, acceptance and back-end of the default or of the preset;
+*retroactive* search on or off; robust *kernel*, with the default scale. **Bold**: default; *italics*:
+preset `paper`; °: best of a drive.
 """
 
 
@@ -69,8 +69,8 @@ def matrix(results: Dict[str, Any]) -> List[str]:
 
 
 def what_parts_bring(results: Dict[str, Any]) -> List[str]:
-    """The default with one part taken back; and the median over everything else."""
-    lines = ["| part taken back | " + " | ".join(results) + " | median factor, all others varied |"]
+    """The default with one part exchanged; and the median over everything else."""
+    lines = ["| part exchanged | " + " | ".join(results) + " | median factor, all others varied |"]
     lines.append("|---" + "|---:" * (len(results) + 1) + "|")
     default = [find(r["cells"], DEFAULT)["ate_m"] for r in results.values()]
     lines.append("| none: the default | " + " | ".join(map(text, default)) + " | |")
@@ -112,7 +112,7 @@ def scales(results: Dict[str, Any]) -> List[str]:
                     for step in steps
                 ]
                 lines.append(f"| {name} | {odometry} | {kernel} | " + " | ".join(map(text, row)) + " |")
-    lines += ["", "Residuals √(eᵀΛe) of the loops in force with the default kernel, median / 90 % / largest:"]
+    lines += ["", "Residuals √(eᵀΛe) of the active loops with the default kernel, median / 90th percentile / largest:"]
     lines += ["", "| drive | odometry | before the optimisation | after | smallest weight |"]
     lines += ["|---|---|---:|---:|---:|"]
     for name, result in results.items():
@@ -128,14 +128,14 @@ def scales(results: Dict[str, Any]) -> List[str]:
 
 
 SCALES = """\
-ATE in metres with the kernel's scale in the unit of √(eᵀΛe). Λ is a curvature of the objective, not
-the inverse of a covariance: a residual of 1 is no standard deviation, and the scale does not carry
-over from one number of points or size of voxel to another."""
+ATE in metres with the kernel's scale in the unit of √(eᵀΛe). Λ is the curvature of the objective, not
+an inverse covariance: a residual of 1 is not one standard deviation, and a scale found with one number
+of points or voxel size does not hold for another."""
 
 
 def markdown(results: Dict[str, Any]) -> str:
     lines = ["# What each part brings", "", METHOD, "![ATE of all combinations](ablation.png)", ""]
-    lines += ["## One part taken back", "", *what_parts_bring(results), ""]
+    lines += ["## One part exchanged", "", *what_parts_bring(results), ""]
     lines += scales(results)
     lines += ["## All combinations", "", *matrix(results), "", "## Drives", ""]
     lines += [f"- {name}: {result['origin']}" for name, result in results.items()]

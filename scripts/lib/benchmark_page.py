@@ -45,16 +45,17 @@ OF_TRUTH = ("consistency_m", "pooled_consistency_m", "thickness_m")
 
 METHOD = """\
 Everything runs one after the other on the same cores, each run in a process of its own, with each
-system's defaults (GenZ-ICP and MAD-ICP with deskewing, as the others). All poses are those of `base_link` at the instant of the scan's last point, to
-which all these systems deskew. Retro-SLAM is the implementation of the paper's own authors.
+system's defaults (GenZ-ICP and MAD-ICP with deskewing, as the others). Poses are those of `base_link` at the instant to which a system deskews: that
+of the scan's last point, for CT-ICP its first, for GenZ-ICP and LOAM (no deskewing) the middle. Retro-SLAM is the implementation of the paper's own authors.
 
 - Peers are driven as their own pipelines drive them, from one reader that gives points and point
   times. Their time and CPU leave out reading the bag and loading Python packages; ours leaves out
   reading the bag's bytes only.
-- Bags are read as fast as scans are taken. A scan's time is that of the call that takes it. The
+- Bags are read as fast as the system processes scans. A scan's time is that of the call that
+  processes it. The
   peers close loops within that call; revisit_slam does it in the background, so that its loops
   show in the CPU time, and in p99 and maximum only where the runner, faster than the sensor, has
-  to wait for them. CPU: of all threads over the whole run with its end, divided by the scans.
+  to wait for them. CPU: that of all threads over the whole run including its end, divided by the scans.
 - Disturbed: the share of the processors that other programs took during the run; where it is high,
   wall times are too, and CPU times somewhat.
 - Peak memory is that of the whole process; before the first scan the peers' Python takes the part
@@ -285,7 +286,7 @@ def markdown(report: Dict[str, Any]) -> str:
     for name, sequence in sequences.items():
         lines += section(name, sequence)
     lines += ["## Where a peer is better", "", *losses(sequences, peers_of, COLUMNS), ""]
-    lines += ["## Where a part does not pay", ""]
+    lines += ["## Where a variant is better", ""]
     lines += losses(sequences, lambda _: VARIANTS, COLUMNS[:3])
     lines += ["", "## Missing", "", *(missing(sequences, report["not_run"]) or ["Nothing."])]
     lines.append("")

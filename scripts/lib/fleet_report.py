@@ -127,7 +127,7 @@ def session_rows(outcome: Outcome, drives: Sequence[Drive]) -> List[str]:
         if export.get("status") == FAILED:
             state += f"; export failed: {export['reason']}"
         if record["left_out"]:
-            state += f"; the odometry was lost: {', '.join(record['left_out'])} left out"
+            state += f"; its stamps went back: {', '.join(record['left_out'])} left out"
         rows.append(
             f"| {name} | {state} | {record['scans']} | {record['metres']:.0f} | {error} | "
             f"{record['cpu_seconds']:.0f} |"

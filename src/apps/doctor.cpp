@@ -32,7 +32,8 @@ void addOptions(CLI::App& app, Options& options) {
                  "frame whose pose is estimated, as frames/base; none: the sensor's own");
   app.add_option("--folder", patient.folder, "folder in which maps are to be written");
   app.add_option("--manager", patient.manager, "nodelet manager that the nodelets are to be in");
-  app.add_option("--seconds", patient.seconds, "to listen, live")->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--seconds", patient.seconds, "time to listen to a live topic")
+      ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--max-scans", patient.max_scans, "of a bag that are looked at");
   app.add_option("--preset", options.config.preset, "parameters to start from")
       ->check(CLI::IsMember(presetNames()));

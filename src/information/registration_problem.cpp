@@ -13,7 +13,8 @@ namespace {
 /// Floats hold the few metres between a point and its candidates to better than this.
 constexpr float kRounding = 1e-5f;
 
-/// How far the perturbations of a design move one point p: u = t + r x p + higher orders.
+/// How far the perturbations of a design move one point p from where it is registered:
+/// u = t + r x p + higher orders.
 struct Reach {
   float along_axes;     // per axis, from translation
   float about_axes;     // per axis, rad
@@ -30,8 +31,8 @@ Reach reachOf(const PerturbationDesign& design, const Eigen::Vector3f& p) {
           static_cast<float>(t + r * distance + higher_orders) + kRounding};
 }
 
-/// Whether some u within reach is nearer to c than to the nearest candidate: u (c - nearest) >
-/// (|c|^2 - |nearest|^2) / 2.
+/// Whether some u within reach is nearer to c than to the nearest candidate, all relative to the
+/// registered point: u (c - nearest) > (|c|^2 - |nearest|^2) / 2.
 bool canBecomeNearest(const Eigen::Vector3f& c, const Eigen::Vector3f& nearest,
                       const Eigen::Vector3f& p, const Reach& reach) {
   const Eigen::Vector3f d = c - nearest;

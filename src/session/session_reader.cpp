@@ -296,8 +296,8 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
     notices.push_back("the logs in '" + folder + "': " + problem + "; what follows is left out");
   if (!replay.isExact())
     notices.push_back(
-        "this software optimises otherwise than the one that wrote the session: keyposes are as "
-        "they were, and scans between them lie where their keypose takes them");
+        "this version optimises the graph differently from the one that wrote the session: "
+        "keyposes are as stored, and the scans between them are moved with their keypose");
   replay.placeScans();
   session.submaps = std::move(replay.submaps);
   session.graph = std::move(replay.graph);

@@ -9,7 +9,7 @@ std::string VerdictNotice::take(const InformedScan& informed) {
   const PoseVerdict before = last_;
   last_ = informed.verdict;
   if (informed.verdict == PoseVerdict::lost)
-    return "the scan does not fit the map: the pose is lost, a new piece of map begins";
+    return "the scan does not fit the map: the pose is lost, a new voxel map begins";
   if (informed.verdict == before) return "";
   if (informed.verdict == PoseVerdict::poor) {
     char share[32];

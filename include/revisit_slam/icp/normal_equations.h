@@ -40,7 +40,8 @@ class NormalEquations {
     if (explained) ++explained_;
   }
 
-  /// Of a point-to-point residual whose weight was added: its points move along with the sensor.
+  /// Of a point-to-point residual whose weight was added: what it compares moves along with the
+  /// sensor, as a ring and the distance within a plane do.
   void countRing(double weight) { ring_weight_ += weight; }
 
   NormalEquations& operator+=(const NormalEquations& other);

@@ -23,8 +23,8 @@ struct InformationConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("enabled", enabled,
-      "true: odometry edges have the information that the ICP objective of their scan gives; "
-      "false: the identity (ablation)");
+      "true: odometry edges and loop constraints have the information sampled from their ICP "
+      "objective; false: the identity (ablation)");
     v("samples", samples, Range{42, 1000}, "",
       "number of perturbed poses at which the ICP objective of a scan is evaluated. Raise it if "
       "the information changes much from scan to scan; lower it if estimating the information "
@@ -58,9 +58,9 @@ struct InformationConfig {
       "factor on the published covariance of a registration, measured against ground truth. Raise "
       "it if errors are larger than the covariance predicts; lower it if errors are smaller");
     v("deskew_share", deskew_share, Range{0.0, 10.0}, "",
-      "standard deviation that deskewing adds to a motion, as a share of the mean change of the "
-      "deskewing error between scans. Raise it if the published covariance is too small in uneven "
-      "motion; lower it if the covariance is too large there");
+      "factor on the mean change of the deskewing error from scan to scan; the product is added to "
+      "the published covariance as a standard deviation. Raise it if the published covariance is "
+      "too small in uneven motion; lower it if the covariance is too large there");
     v("max_waiting", max_waiting, Range{1, 10000}, "scans",
       "largest number of scans that may wait live for their information; with more, the estimate "
       "of the scan before is repeated, and counted. Raise it if load comes in short bursts; lower "

@@ -67,8 +67,9 @@ struct ScanInputConfig {
       "time that is added to the stamps of each of input/topics, in their order, between spaces "
       "(s); empty: none");
     v("max_wait", max_wait, Range{0.0, 10.0}, "s",
-      "time by which one of input/topics may be ahead of others; then its sweeps go on without "
-      "them. Raise it if scans of a sensor come late; lower it if poses must not");
+      "longest time, by stamps, for which a sweep waits for scans of the other input/topics; then "
+      "it goes on without them. Raise it if scans of a sensor come late; lower it if poses come "
+      "too late");
   }
 };
 

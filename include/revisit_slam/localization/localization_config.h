@@ -31,8 +31,8 @@ struct LocalizationConfig {
       "travelled distance between two registrations to the map. Raise it to save CPU time; lower "
       "it if the odometry drifts noticeably in between");
     v("open_length", open_length, Range{1.0, 200.0}, "m",
-      "travelled distance whose scans are registered to the map together. Raise it if the sensor "
-      "has few beams or a narrow view; lower it if the odometry bends what it adds up");
+      "travelled distance of the latest scans that are registered to the map together. Raise it if "
+      "the sensor has few beams or a narrow view; lower it if the odometry bends what it adds up");
     v("window", window, Range{1.0, 10000.0}, "m",
       "travelled distance that the graph looks back over: its odometry edges and registrations "
       "give the pose. Raise it if the pose is unsteady; lower it if it follows the map too slowly");
@@ -40,16 +40,16 @@ struct LocalizationConfig {
       "travelled distance between two attempts to recognise the place. Raise it to save CPU time; "
       "lower it if the first fix comes late");
     v("search_length", search_length, Range{10.0, 1000.0}, "m",
-      "largest travelled distance whose scans a place is recognised by. Raise it if places are "
-      "recognised late; lower it if drift bends what is compared");
+      "largest travelled distance of the latest scans by which a place is recognised. Raise it if "
+      "places are recognised late; lower it if drift bends what is compared");
     v("lost_after", lost_after, Range{1.0, 10000.0}, "m",
       "travelled distance without a registration that passes the gates after which the pose counts "
       "as lost. Raise it if the map has long gaps; lower it if a pose must not be carried by the "
       "odometry alone");
     v("min_overlap", min_overlap, Range{0.0, 1.0}, "",
-      "smallest share of voxels of the last metres and of the submap of the map with a counterpart "
-      "in the other, in the place of loops/min_fitness: either may see far more. Raise it if wrong "
-      "places are taken; lower it if another sensor than the map's is not localized");
+      "smallest fitness of a registration to the map, in the place of loops/min_fitness: smaller, "
+      "as the last metres and a submap of the map may see very different amounts. Raise it if "
+      "wrong places are taken; lower it if another sensor than the map's is not localized");
   }
 };
 

@@ -23,14 +23,13 @@ struct DynamicPointConfig {
       "there, for the point to be dynamic. Raise it if points of thin or far objects are removed; "
       "lower it if a sensor with few beams leaves traces");
     v("share", share, Range{0.0, 100.0}, "",
-      "smallest number of these rays by the number of those that passed while something was seen "
-      "there. Raise it if foliage and fences are removed; lower it if traces of what moved remain "
-      "beside what stands");
+      "smallest ratio of the rays counted by dynamic_points/rays to those that passed while "
+      "something was seen there, for the point to be dynamic. Raise it if foliage and fences are "
+      "removed; lower it if traces of what moved remain beside what stands");
     v("pause", pause, Range{0.0, 60.0}, "s",
-      "time before the first and after the last scan that saw something there, in which rays do "
-      "not "
-      "count. Raise it if points of thin or far objects are removed; lower it if what moves fast "
-      "leaves traces");
+      "time before the first and after the last scan that saw something at a point, in which rays "
+      "past it still count as passing while something was there. Raise it if points of thin or far "
+      "objects are removed; lower it if what moves fast leaves traces");
     v("ground", ground, Range{0.0, 2.0}, "m",
       "height above the lowest point within two voxels up to which points are never dynamic. Raise "
       "it if ground is removed; lower it if feet and wheels remain");

@@ -57,9 +57,9 @@ struct OccupancyConfig {
       "probability from which on a voxel is occupied; other voxels that were seen are free. Raise "
       "it if moving objects leave traces; lower it if thin obstacles are missing");
     v("pose_step", pose_step, Range{0.0, 10.0}, "voxels",
-      "largest displacement of a voxel by the rounding of submap poses; 0: no rounding. Raise it "
-      "if corrections take too long to reach the occupancy map; lower it if walls of revisited "
-      "places are blurred");
+      "rounding of the poses of submaps in the occupancy map, as the largest displacement of a "
+      "voxel: smaller corrections do not rebuild it; 0: no rounding. Raise it if corrections take "
+      "too long to reach the occupancy map; lower it if walls of revisited places are blurred");
     v.group("grid", grid);
   }
 };

@@ -31,40 +31,38 @@ struct RegistrationConfig {
       "length of the step [translation; rotation] below which ICP has converged. Raise it if "
       "registration takes too long; lower it if poses depend on the first guess");
     v("final_sigma", final_sigma, Range{0.01, 1000.0}, "m",
-      "scale of the annealed robust kernel at the end of ICP: from the adaptive threshold, sigma "
-      "is "
-      "halved down to this value. Raise it if the estimate slips where little but far rings is in "
-      "view (fields: 0.5); lower it if parts of a scan that are new to the map pull the pose");
+      "scale sigma of the robust kernel at the end of ICP: it begins with the adaptive threshold, "
+      "and is halved whenever ICP has converged. Raise it if the pose slips where little but "
+      "distant rings on the ground is in view (fields: 0.5); lower it if points that are new to "
+      "the map pull the pose");
     v("min_correspondences", min_correspondences, Range{6, 100000}, "",
       "number of matched points below which the pose is the prediction. Raise it if few matches "
       "give wrong poses; lower it if the sensor sees few points");
     v("planes", planes,
-      "point-to-plane residuals where the map points around are planar; false: point to point "
-      "everywhere, as in KISS-ICP");
+      "true: point-to-plane residuals where the map points around are planar; false: point to "
+      "point everywhere, as in KISS-ICP");
     v("within_plane_weight", within_plane_weight, Range{0.0, 1.0}, "",
       "weight of the point-to-point residual that is added to each point-to-plane residual. Raise "
       "it if the pose drifts along corridors; lower it if it lags behind along the ground");
     v("scattered_points", scattered_points, Range{1.0, 1e6}, "",
-      "number of map points in the 27 voxels around from which on a match in a scattered "
-      "neighbourhood has the weight 1; with fewer, proportionally less. Raise it if vegetation "
+      "number of map points in the 27 voxels around a match without plane or line at which its "
+      "weight is 1; with fewer points it is proportionally smaller. Raise it if vegetation "
       "disturbs the pose; lower it if little else is in view");
     v("sparse_weight", sparse_weight, Range{0.0, 1.0}, "",
       "weight of matches with few or only linear map points around, such as a single ring. Raise "
       "it "
       "if the pose slips where the map is sparse; lower it if the estimate lags behind the motion");
     v("deskew_gain", deskew_gain, Range{0.0, 0.74}, "",
-      "share of the error of the predicted motion that deskewing makes up for while a scan is "
-      "registered; 0: deskewing with the prediction alone. Raise it if the pose swings with the "
-      "steps of a person; lower it if the pose oscillates from scan to scan");
+      "share of the error of the predicted motion that is taken out of the points while a scan is "
+      "registered; 0: points are deskewed with the prediction alone. Raise it if the pose swings "
+      "with the steps of a person; lower it if the pose oscillates from scan to scan");
     v("deskew_damping", deskew_damping, Range{0.0, 1e9}, "",
-      "sum of match weights in a direction at which half of deskew_gain is in force there. Raise "
-      "it "
+      "sum of match weights in a direction at which half of deskew_gain is applied there. Raise it "
       "if the pose drifts where little constrains it (bridges); lower it if it slips in fields");
     v("prediction_weight", prediction_weight, Range{0.0, 1e9}, "",
-      "weight of the predicted motion beside those of the matches, in scans that are deskewed. "
-      "Raise "
-      "it if the pose drifts where little constrains it; lower it if it lags behind turns and "
-      "brakes");
+      "weight of the predicted motion in the registration of scans that are deskewed, where a "
+      "match has at most 1. Raise it if the pose drifts where little constrains it; lower it if it "
+      "lags behind turns and brakes");
   }
 };
 
@@ -96,13 +94,14 @@ struct FitConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("good", good, Range{0.0, 1.0}, "",
-      "below this share of the usual fit of a scan its pose is poor, and other first guesses "
-      "are tried; 0: every pose is good. Raise it if wrong poses are called good; lower it if "
-      "right ones are called poor (scans far apart, dense traffic)");
+      "share of the usual fit (fit: share of the points of a scan that the map explains) below "
+      "which a pose is poor and other first guesses are tried; 0: every pose is good. Raise it if "
+      "wrong poses are called good; lower it if right ones are called poor (scans far apart, dense "
+      "traffic)");
     v("lost", lost, Range{0.0, 1.0}, "",
-      "below this share of the usual fit the scan does not fit at all: the pose is lost, and a new "
-      "piece of map begins. Raise it if maps are torn where the sensor was carried; lower it if "
-      "new pieces begin without need; 0: never");
+      "share of the usual fit below which a pose is lost and a new voxel map begins; 0: never. "
+      "Raise it if the map is distorted after the sensor was carried; lower it if new voxel maps "
+      "begin without need");
   }
 };
 
@@ -137,11 +136,13 @@ struct OdometryConfig {
     v("body", body, Choices{}, "",
       "box of the robot itself in the base frame, two opposite corners x y z x y z (m), in which "
       "points are dropped; empty: none");
-    v("deskew", deskew, "correction of the motion within a scan where its point times are known");
+    v("deskew", deskew,
+      "true: points are corrected for the motion within the scan where point times are known; "
+      "false: they are used as measured");
     v("adaptive_voxel_size", adaptive_voxel_size,
-      "true: smaller voxels of the odometry's map where the median distance of points is below "
-      "ten of them, as in rooms, or a ceiling is less than five of them above the floor, as in "
-      "garages; false: map/voxel_size everywhere");
+      "true: the voxels of the odometry's map are halved, if need be more than once, where the "
+      "median distance of points is below 10 of their edges, as in rooms, or a ceiling is less "
+      "than 5 edges above the floor, as in garages; false: map/voxel_size everywhere");
     v("redo_first_scans", redo_first_scans,
       "true: the first two scans are deskewed and registered once more with the motion between "
       "them; false: the first scan is taken as it is, as in KISS-ICP");
@@ -153,9 +154,9 @@ struct OdometryConfig {
       "sigma is at least threshold/initial. Raise it if scans are lost in steady motion; lower "
       "it if the motion changes quickly");
     v("restart_after", restart_after, Range{2, 1000}, "scans",
-      "scans in a row, in order, that are older than the newest, after which a new session begins "
-      "with them: the clock was set back or the recording starts over. Raise it if late scans come "
-      "in long bursts; lower it if a new session should begin sooner");
+      "number of consecutive scans, in order of time, with stamps before the newest scan, after "
+      "which the clock counts as set back and a new session begins with them. Raise it if late "
+      "scans come in long bursts; lower it if a new session should begin sooner");
     v("threads", threads, Range{1, 64}, "",
       "number of threads of the odometry; results do not depend on it");
     v.group("map", map);

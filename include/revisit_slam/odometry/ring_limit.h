@@ -6,11 +6,12 @@
 
 namespace revisit_slam {
 
-/// Keeps the rings that the sensor draws on bare ground (ShapeKind::sparse) from holding it at
-/// rest. They move along with it; so to them a sensor that begins to move rests, and to the
-/// prediction too, which follows from the scans that they held. Until the motion has been seen,
-/// rings weigh no more than a small share of all else in the direction of translation in which that
-/// is least, and the prediction weighs nothing in the directions in which they would weigh more.
+/// Keeps the rings that the sensor draws on bare ground from holding it at rest: matches of
+/// ShapeKind::sparse, and the distances within planes. They move along with the sensor; so to them
+/// one that begins to move rests, and to the prediction too, which follows from the scans that they
+/// held. Until the motion has been seen, rings weigh no more than a small share of all else in the
+/// direction of translation in which that is least, and the prediction weighs nothing in the
+/// directions in which they would weigh more.
 class RingLimit {
  public:
   explicit RingLimit(bool motion_is_seen) : motion_is_seen_(motion_is_seen) {}

@@ -25,8 +25,8 @@ namespace revisit_slam {
 /// ground and on walls move along with it; taken as points they hold the estimate back and turn it
 /// (docs/odometry.md). u_i is the direction across the rings of the sensor, b_i how little is known
 /// between them (icp/ring_spacing.h): what is no plane, such as a tree, matches the same ring of
-/// the scan before, whose height is that of the sensor then, and the pose would be turned up. With
-/// `planes` off a_i is 1, b_i 0 and all residuals are point to point.
+/// the scan before, whose height is that of the sensor then, and the pose would be turned up or
+/// down. With `planes` off a_i is 1, b_i 0 and all residuals are point to point.
 ///
 /// To change the objective of the odometry, change this file; for a new kernel icp/robust_kernel.h
 /// as well, for a new residual icp/residuals.h and icp/normal_equations.h, for a new parameter

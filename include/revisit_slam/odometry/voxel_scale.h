@@ -9,8 +9,8 @@ namespace revisit_slam {
 /// reach far. In rooms a neighbourhood of such voxels would hold floor, walls and furniture at
 /// once, and none of them could be told apart: the edge is halved while scans reach less than ten
 /// edges, or while a ceiling is less than five edges above the floor, as in a garage, and doubled,
-/// up to the configured one, once neither would hold with twice that edge. Between the two lies a
-/// factor of two, so that the edge does not change back and forth.
+/// up to the configured one, once scans reach forty edges and no ceiling is within ten: a factor of
+/// two from where it is halved, so that the edge does not change back and forth.
 class VoxelScale {
  public:
   /// `largest`: m, the configured edge. `adaptive`: false keeps it.

@@ -24,14 +24,15 @@ struct BackEndConfig {
       "established loops outliers than they have inliers are rejected. Raise it if wrong loops "
       "are kept; lower it if right loops are rejected");
     v("drift", drift, Range{0.0, 1.0}, "",
-      "error of the odometry beyond its information, in metres for each metre travelled, where "
-      "positions of GNSS or directions of gravity are used. It holds for the best constrained "
-      "direction; in others it grows in proportion to their own error. Raise it if the map "
-      "does not follow good positions; lower it if their noise bends the map");
+      "standard deviation that is added to odometry edges, in metres for each metre travelled, "
+      "where positions of GNSS or directions of gravity are used; for the best constrained "
+      "direction, and proportionally more in the others. Raise it if the map does not follow good "
+      "positions; lower it if their noise bends the map");
     v("turn_drift", turn_drift, Range{0.0, 1.0}, "rad/m",
-      "likewise in radians for each metre travelled, about the best constrained axis. Raise it "
-      "if the map does not follow good positions or directions; lower it if their noise bends "
-      "the map");
+      "standard deviation that is added to the rotation of odometry edges, in radians for each "
+      "metre travelled, where positions of GNSS or directions of gravity are used; for the best "
+      "constrained axis, and proportionally more about the others. Raise it if the map does not "
+      "follow good positions or directions; lower it if their noise bends the map");
   }
 };
 

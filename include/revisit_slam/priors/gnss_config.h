@@ -63,9 +63,9 @@ struct GnssConfig {
       "if "
       "good positions are outliers; lower it if multipath bends the map");
     v("alignment_deviation", alignment_deviation, Range{0.001, 1.0}, "rad",
-      "standard deviation of the map's yaw, by the errors of the positions, below which the map is "
-      "aligned with east and north and positions enter the graph. Raise it if that should be "
-      "sooner; lower it if multipath at the start turns the map");
+      "standard deviation of the map's yaw, as the positions give it, below which the map is "
+      "aligned with east and north and positions enter the graph. Raise it to align sooner; lower "
+      "it if multipath at the start turns the map");
     v("start_tilt", start_tilt, Range{0.001, 3.2}, "rad",
       "standard deviation of the tilt of the base at the first scan. Raise it for starts on slopes "
       "and in the hand; lower it for level yards");

@@ -26,29 +26,30 @@ struct OdometryNoiseConfig {
       "standard deviation of the scale at the start: 0.02 where a metre may be measured as 0.98 m. "
       "Raise it if the diameter of the wheels is not known; lower it if they are calibrated");
     v("scale_walk", scale_walk, Range{0.0, 0.1}, "1/sqrt(m)",
-      "change of the scale with the travelled distance. Raise it if load and tyre pressure "
-      "change; lower it if the scale is noisy");
+      "random walk of the scale, as its standard deviation after 1 m. Raise it if load and tyre "
+      "pressure change; lower it if the scale is noisy");
     v("translation_per_metre", translation_per_metre, Range{1e-4, 1.0}, "",
-      "error in metres along each metre travelled beside that of the scale, where messages bear no "
-      "covariance. Raise it if wheels slip; lower it if the pose drifts along in bare "
-      "surroundings");
+      "standard deviation along the motion, in metres for each metre travelled, beside that of the "
+      "scale; for messages without a covariance. Raise it if wheels slip; lower it if the pose "
+      "drifts in the direction of motion where little is in view");
     v("slip_per_metre", slip_per_metre, Range{1e-4, 1.0}, "",
-      "error in metres across each metre travelled, where messages bear no covariance. Raise it "
-      "for "
-      "tracks and on loose ground; lower it if traffic in bends moves the pose aside");
+      "standard deviation across the motion, in metres for each metre travelled; for messages "
+      "without a covariance. Raise it for tracks and on loose ground; lower it if traffic in bends "
+      "moves the pose aside");
     v("translation_per_radian", translation_per_radian, Range{0.0, 10.0}, "m/rad",
-      "error in metres of each radian turned, where messages bear no covariance. Raise it if "
-      "wheels skid in turns; lower it if the pose slips in turns");
+      "standard deviation of the position, in metres for each radian turned; for messages without "
+      "a covariance. Raise it if wheels skid in turns; lower it if the pose slips in turns");
     v("rotation_per_metre", rotation_per_metre, Range{1e-5, 1.0}, "rad/m",
-      "error in radians of each metre travelled, where messages bear no covariance. Raise it if "
-      "wheels are worn unequally; lower it if the heading drifts in bare surroundings");
+      "standard deviation of the rotation, in radians for each metre travelled; for messages "
+      "without a covariance. Raise it if wheels are worn unequally; lower it if the heading drifts "
+      "in bare surroundings");
     v("rotation_per_radian", rotation_per_radian, Range{0.0, 1.0}, "",
-      "error in radians of each radian turned, where messages bear no covariance. Raise it if "
-      "wheels skid in turns; lower it if the heading slips in turns");
+      "standard deviation of the rotation, in radians for each radian turned; for messages without "
+      "a covariance. Raise it if wheels skid in turns; lower it if the heading slips in turns");
     v("error_scans", error_scans, Range{1.0, 1e4}, "scans",
-      "number of scans over which an error of the registration lasts, as of matches with cars "
-      "that drive along: beside this odometry a registration has the weight of one in so many. "
-      "Raise it if traffic drags the pose along; lower it if wheels slip for seconds");
+      "number of scans over which an error of the registration stays the same, as of matches with "
+      "cars that drive along: beside this odometry a registration has the weight of one in so "
+      "many. Raise it if traffic drags the pose along; lower it if wheels slip for seconds");
   }
 };
 
@@ -66,7 +67,8 @@ struct GyroNoiseConfig {
       "standard deviation of the bias at the start, on each axis. Raise it if the gyro is rejected "
       "at the start; lower it if the gyro is calibrated");
     v("bias_walk", bias_walk, Range{0.0, 0.1}, "rad/s/sqrt(s)",
-      "change of the bias with time. Raise it if the gyro warms up; lower it if the bias is noisy");
+      "random walk of the bias, as its standard deviation after 1 s. Raise it if the gyro warms "
+      "up; lower it if the bias is noisy");
   }
 };
 
@@ -91,9 +93,9 @@ struct PriorsConfig {
     v("imu_topic", imu_topic, Choices{}, "",
       "topic of an inertial unit, sensor_msgs/Imu, live and in bags; empty: none");
     v("max_wait", max_wait, Range{0.0, 10.0}, "s",
-      "time by which a later scan may be ahead of a scan that waits for messages of odometry and "
-      "inertial unit; then the scan goes on without. Raise it if messages come late; lower it if "
-      "poses must not");
+      "longest time, by stamps of later scans, for which a scan waits for messages of odometry and "
+      "inertial unit; then it is registered without them. Raise it if messages come late; lower it "
+      "if poses come too late");
     v("max_gap", max_gap, Range{0.001, 10.0}, "s",
       "longest time between two messages over which is interpolated. Raise it for slow topics; "
       "lower it if messages get lost in fast motion");

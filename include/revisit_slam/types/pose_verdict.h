@@ -8,7 +8,7 @@ enum class PoseVerdict {
   good,
   weak,  ///< right where the geometry holds it; it hardly does in some directions
   poor,  ///< the scan fits the map badly: the pose may be off by far more than its covariance says
-  lost,  ///< the scan does not fit: the pose is a prediction, and a new piece of map begins with it
+  lost,  ///< the scan does not fit: the pose is a prediction, and a new voxel map begins with it
 };
 
 const char* toString(PoseVerdict verdict);

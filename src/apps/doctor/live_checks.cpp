@@ -39,7 +39,7 @@ Finding aboutClock() {
   if (!ros::Time::now().isZero()) return {Level::good, "clock", "simulated, on /clock", ""};
   return {Level::fault, "clock", "/use_sim_time is true, but nobody publishes /clock",
           "play recordings with rosbag play --clock, or for a live sensor call rosparam set "
-          "/use_sim_time false and start all nodes anew"};
+          "/use_sim_time false and restart all nodes"};
 }
 
 /// What runs and is not well, by its own diagnostics.

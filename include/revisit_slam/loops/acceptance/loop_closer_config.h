@@ -51,20 +51,22 @@ struct LoopCloserConfig {
       "tau_f, smallest share of voxels with a counterpart in the other submap. Raise it if wrong "
       "loops are accepted; lower it if right loops of submaps that overlap little are rejected");
     v("min_coherence", min_coherence, Range{0.0, 1.0}, "",
-      "smallest share of surfaces that fit, of those with a surface of the other submap near; "
-      "halfway from here to 1 for a retroactive registration that no other confirms; 0 switches "
-      "both checks off. Raise it if registrations slide along repeated structure; lower it if "
-      "scenes that changed between the visits are rejected");
+      "smallest share of surfaces that coincide, among those with a surface of the other submap "
+      "nearby; (1 + this) / 2 for a retroactive registration that no other confirms; 0: neither is "
+      "checked. Raise it if registrations slide along repeated structure; "
+      "lower it if scenes that changed between the visits are rejected");
     v("max_translation", max_translation, Range{0.0, 1000.0}, "m",
-      "largest translation in metres of a registration from its guess. Raise it if drift is larger "
-      "than this before a loop is closed; lower it if registrations reach a wrong minimum");
+      "largest translation in metres of a registration from its guess; also the distance within "
+      "which rival poses are looked for. Raise it if drift is larger than this before a loop is "
+      "closed; lower it if registrations reach a wrong minimum");
     v("max_rotation", max_rotation, Range{0.0, 180.0}, "deg",
       "largest rotation in degrees of a registration from its guess; a third of it where no other "
       "registration of the same local maps confirms it. Raise it if drift is larger than this "
       "before a loop is closed; lower it if registrations reach a wrong minimum");
     v("max_ambiguity", max_ambiguity, Range{0.0, 10.0}, "",
-      "how well another pose within the drift of the odometry may explain two submaps, as a share "
-      "of how well the registered one does. Raise it if right loops along repeated structure are "
+      "largest ratio of what two submaps have in common at a rival pose, within the drift of the "
+      "odometry and max_translation, to what they have in common at the registered one; above it "
+      "the loop is rejected as ambiguous. Raise it if right loops along repeated structure are "
       "rejected; lower it if registrations are off by a period of the structure");
     v.group("drift", drift);
     v.group("consistency", consistency);

@@ -36,9 +36,9 @@ struct DriftConfig {
       "standard deviation of the drift, in metres for each metre travelled. Raise it if the "
       "odometry drifts more than this; lower it if it drifts less");
     v("weak_rate", weak_rate, Range{0.0, 10.0}, "",
-      "standard deviation that is added for each metre travelled where scans hardly constrain "
-      "the pose: in the plane or in height, whichever they do not. Raise it if right loops behind "
-      "tunnels are rejected; lower it if wrong ones are accepted");
+      "standard deviation of the drift that is added for each metre travelled where scans hardly "
+      "constrain the pose in the plane, or in height. Raise it if right loops behind tunnels are "
+      "rejected; lower it if wrong ones are accepted");
     v("vertical_share", vertical_share, Range{0.0, 10.0}, "",
       "drift in height where scans constrain it, as a share of the drift in the plane, but no less "
       "than base. Raise it if right loops are rejected for their height; lower it if storeys are "

@@ -31,10 +31,10 @@ struct AssociationConfig {
       "sensor sees far and parallel streets should be matched; lower it if pairs are registered "
       "that share too little of their surroundings");
     v("min_detour", min_detour, Range{0.0, 1000.0}, "",
-      "smallest travelled distance, from middle to middle, between two submaps that are compared, "
-      "as a multiple of the distance between their trajectories plus the size of a submap; 0: all "
-      "are compared. Raise it if submaps are matched with their neighbours along the drive; lower "
-      "it if short loops are missed");
+      "smallest ratio of the travelled distance between the middles of two submaps to the distance "
+      "between their trajectories plus the size of a submap, at which they are compared; 0: no "
+      "limit. Raise it if submaps are matched with their neighbours along the drive; lower it if "
+      "short loops are missed");
     v("min_overlap", min_overlap, Range{0.0, 1.0}, "",
       "smallest share of their surroundings, in coarse cubes, that two submaps have to share where "
       "they are placed to be registered. Raise it if too many pairs are registered in vain; lower "

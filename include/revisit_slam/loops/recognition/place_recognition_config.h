@@ -17,8 +17,9 @@ struct DensityImageConfig {
       "edge of a pixel of the bird's-eye density image of a local map. Raise it if recognition "
       "takes too long; lower it if the surroundings are narrow");
     v("min_density", min_density, Range{0.0, 1.0}, "",
-      "share of the range of point counts in an image; pixels with a smaller share are empty. "
-      "Raise it if ground or vegetation fills images; lower it if images are almost empty");
+      "point count, from 0 (one point) to 1 (the largest count of the image), up to which a pixel "
+      "is empty. Raise it if ground or vegetation fills images; lower it if images are almost "
+      "empty");
     v("radius", radius, Range{10.0, 1000.0}, "m",
       "horizontal distance from the keypose beyond which points are left out of the image. Raise "
       "it if distant structure is cut off; lower it if images take too much time or memory");
@@ -75,9 +76,9 @@ struct PlaceRecognitionConfig {
       "largest distance between two matched features after alignment at which they are inliers. "
       "Raise it if drift bends local maps; lower it if wrong places are recognised");
     v("max_turn", max_turn, Range{0.01, 3.2}, "rad",
-      "largest difference between the turn of a matched feature and the rotation of the alignment "
-      "at which the match is an inlier. Raise it if revisits are missed; lower it if wrong places "
-      "are recognised");
+      "largest difference between the change of a feature's orientation and the rotation of the "
+      "alignment, at which the match is an inlier. Raise it if revisits are missed; lower it if "
+      "wrong places are recognised");
     v("separation", separation, Range{0.0, 100.0}, "px",
       "smallest distance between two inliers that both count. Raise it if a single object makes a "
       "place recognised; lower it if revisits with little structure are missed");

@@ -35,13 +35,11 @@ struct FineRegistrationConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("coarsest_distance", coarsest_distance, Range{0.1, 100.0}, "m",
-      "reach of the correspondences at the coarsest level. Raise it if first guesses are farther "
-      "off; "
-      "lower it if registrations converge to neighbouring structures");
+      "largest distance of corresponding points at the coarsest level. Raise it if first guesses "
+      "are farther off; lower it if registrations converge to neighbouring structures");
     v("finest_distance", finest_distance, Range{0.05, 10.0}, "m",
-      "reach of the correspondences at the finest level. Raise it if submaps are bent by drift; "
-      "lower "
-      "it if what changed between the visits pulls the pose");
+      "largest distance of corresponding points at the finest level. Raise it if submaps are bent "
+      "by drift; lower it if what changed between the visits pulls the pose");
     v("points_per_level", points_per_level, Range{100, 1000000}, "",
       "largest number of source points of a level, taken evenly over space and directions of "
       "normals. "
@@ -58,8 +56,8 @@ struct FineRegistrationConfig {
       "number of matched points below which there is no result. Raise it if submaps with little in "
       "common are registered; lower it if submaps have few points");
     v("fitness_distance", fitness_distance, Range{0.05, 10.0}, "m",
-      "distance within which a voxel of a submap has a counterpart in the other; the edge of a "
-      "voxel. Raise it if submaps are coarser; lower it if they are finer");
+      "largest distance of a voxel of one submap from its counterpart in the other; usually "
+      "mapping/submap_voxel_size. Raise it if submaps are coarser; lower it if they are finer");
     v("fitness_plane_distance", fitness_plane_distance, Range{0.01, 10.0}, "m",
       "distance from the plane of the counterpart, where there is one, within which it counts. "
       "Raise "

@@ -39,12 +39,12 @@ struct RetroactiveConfig {
       "loops stay open; lower it if odometry drifts by metres");
     v("novelty_range", novelty_range, Range{1, 1000}, "",
       "distance in local maps to the nearest closed pair from which on a candidate has full "
-      "priority; nearer ones come later. Raise it if closures cluster in one area; lower it if "
-      "candidates with near trajectories come too late");
+      "priority; nearer ones are searched later. Raise it if closures cluster in one area; lower "
+      "it if candidates with near trajectories come too late");
     v("max_pairs", max_pairs, Range{1, 10000}, "",
-      "number of pairs of submaps from which on a search leaves further local maps to the search "
-      "after the next optimisation. Raise it if closing loops takes many optimisations; lower it "
-      "if a search takes too long");
+      "number of pairs of submaps after which a search stops; the local maps that are left are "
+      "searched after the next optimisation. Raise it if closing loops takes many optimisations; "
+      "lower it if a search takes too long");
     v("search_at_end", search_at_end,
       "true: the local maps since the last loop by appearance are searched when the drive is over; "
       "false: only a loop by appearance starts a search, as in the paper");
