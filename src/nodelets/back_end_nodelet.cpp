@@ -4,6 +4,7 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <future>
+#include <map>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "revisit_slam/ros/node/georeference_topics.h"
@@ -16,6 +17,7 @@
 #include "revisit_slam/ros/node/session_end.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/session/drive_log.h"
 #include "revisit_slam/slam/back_end.h"
 
 namespace revisit_slam {
@@ -90,9 +92,11 @@ class BackEndNodelet : public SlamNodelet {
         "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
           broadcaster_->onScan(*informed->scan);
           lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame,
-                       prior = informed->scan->goes_on_from] {
+                       prior = informed->scan->goes_on_from,
+                       entry = entryOf(*informed, informed->times)] {
             sensor_frame_ = frame;
             add(node, prior);
+            log(entry);
           });
         });
   }
@@ -130,6 +134,22 @@ class BackEndNodelet : public SlamNodelet {
     display_->drawPath(*stage_->session());
   }
 
+  /// Of the session that scans come from: the one before may end later than that begins.
+  void log(const DriveLogEntry& entry) {
+    const GraphSession* session = stage_->session();
+    if (session == nullptr || session->folder().empty() || session->id() != entry.scan.session)
+      return;
+    logs_.try_emplace(session->id(), session->folder()).first->second.add(entry);
+  }
+
+  /// And no longer keeps those of sessions before.
+  std::string save(GraphSession& session) {
+    const auto log = logs_.find(session.id());
+    const std::string problem = saveAll(session, log == logs_.end() ? nullptr : &log->second);
+    logs_.erase(logs_.begin(), logs_.lower_bound(session.id()));
+    return problem;
+  }
+
   void close(const LoopClosures& closures) {
     if (ending_) return;
     stage_->add(closures);
@@ -139,7 +159,7 @@ class BackEndNodelet : public SlamNodelet {
   void finish(const MapsClosed& closed) {
     stage_->add(closed, [this, request = closed.request](GraphSession* session,
                                                          const std::string& problem) {
-      const std::string all = session == nullptr ? problem : saveAll(*session);
+      const std::string all = session == nullptr ? problem : save(*session);
       services_->answer(request, all, session == nullptr ? "" : session->folder());
       if (session != nullptr && !all.empty()) noteError(all);
     });
@@ -188,6 +208,7 @@ class BackEndNodelet : public SlamNodelet {
   std::string sensor_frame_;
   std::unique_ptr<GeoreferenceTopics> georeference_;
   std::unique_ptr<BackEnd> stage_;
+  std::map<SessionId, DriveLog> logs_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;
 

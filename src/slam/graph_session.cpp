@@ -157,27 +157,16 @@ void GraphSession::tell(RunSummary& summary) const {
   summary.rejected_optimisations = count_.rejected;
 }
 
-void GraphSession::writeSummary() const {
+void GraphSession::writeSummary(RunSummary summary) const {
   if (!log_.isWritten()) return;
   SlamConfig config = config_;
-  RunSummary summary;
   summary.parameters = parametersOf(config);
-  summary.account.received = summary.account.processed = graph_.size();
   summary.topic = log_.sensor();
   summary.tracked_frame = config_.frames.base;
   summary.threads = config_.odometry.threads;
   tell(summary);
-  if (!graph_.nodes().empty()) {
-    TravelledDistance distance;
-    distance.start(graph_.nodes().front().T_odom_base.translation);
-    for (const GraphNode& node : graph_.nodes()) {
-      if (node.id.value == 0) distance.goOnFrom(node.T_odom_base.translation);
-      distance.go(node.T_odom_base.translation);
-    }
-    summary.path_length = distance.metres();
-  }
   judge(consistencyOf(snapshot()), summary);
-  writeRunSummary(folder() + "/run.json", summary, {});
+  writeRunSummary(folder() + "/run.json", summary);
 }
 
 std::size_t activeLoops(const SlamGraph& graph) {

@@ -18,6 +18,7 @@ InformationStage::InformationStage(const InformationConfig& config)
     : config_(config), estimator_(config), motion_covariance_(config) {}
 
 InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_t waiting) {
+  StageClock clock;
   InformedScan informed;
   informed.scan = odometry.scan;
   const bool begins = session_ != informed.scan->id.session;
@@ -33,6 +34,9 @@ InformedScan InformationStage::inform(const OdometryOutput& odometry, std::size_
   informed.verdict = verdictOn(informed);
   if (informed.verdict >= PoseVerdict::poor) doubt(informed);
   growCovariance(informed, begins);
+  clock.stage("information");
+  informed.times = odometry.times;
+  for (const auto& time : clock.times()) informed.times.push_back(time);
   return informed;
 }
 

@@ -182,8 +182,8 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
     clock.stage("gather");
     if (aligned.scan) odometry_.commit();
     clock.stage("update_map");
-    result.times = std::move(aligned.times);
-    for (const auto& time : clock.times()) result.times.push_back(time);
+    result.output.times = std::move(aligned.times);
+    for (const auto& time : clock.times()) result.output.times.push_back(time);
   });
   account_.points_dropped["too near"] += aligned.too_near;
   account_.points_dropped["too far"] += aligned.too_far;

@@ -68,10 +68,9 @@ void Slam::insert(const MotionReading& reading) {
 void Slam::take(const OdometryStage::Result& result, StageTimes times) {
   if (!result.notice.empty()) observer_.onNotice(result.notice);
   if (!result.output.scan) return observer_.onRejection(result.rejection);
-  times.insert(times.end(), result.times.begin(), result.times.end());
-  StageClock clock;
   const InformedScan informed = information_.inform(result.output);
-  clock.stage("information");
+  times.insert(times.end(), informed.times.begin(), informed.times.end());
+  StageClock clock;
   insert(informed);
   clock.stage("maps");
   for (const auto& time : clock.times()) times.push_back(time);

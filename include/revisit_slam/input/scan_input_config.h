@@ -57,14 +57,17 @@ struct ScanInputConfig {
       "direction in which a sweep starts, counter-clockwise from the x axis of the sensor, for "
       "time_field azimuth; 180: behind. Set it to where scans in motion have a seam");
     v("topics", topics, Choices{}, "",
-      "topics of the scans of several sensors, between spaces, which are merged into one sweep, "
+      "topics of the scans of several sensors, separated by spaces, which are merged into one "
+      "sweep, "
       "live "
       "and in bags; empty: one sensor, on the topic points");
     v("ranges", ranges, Choices{}, "",
-      "shortest and longest range of each of input/topics, in their order, between spaces (m), "
+      "shortest and longest range of each of input/topics, in their order, separated by spaces "
+      "(m), "
       "within odometry/min_range and odometry/max_range; empty: these alone");
     v("time_offsets", time_offsets, Choices{}, "",
-      "time that is added to the stamps of each of input/topics, in their order, between spaces "
+      "time that is added to the stamps of each of input/topics, in their order, separated by "
+      "spaces "
       "(s); empty: none");
     v("max_wait", max_wait, Range{0.0, 10.0}, "s",
       "longest time, by stamps, for which a sweep waits for scans of the other input/topics; then "

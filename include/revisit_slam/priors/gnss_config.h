@@ -53,7 +53,7 @@ struct GnssConfig {
       "take long, or where errors of neighbouring positions are alike; lower it if the receiver "
       "is noisy");
     v("unknown_deviation", unknown_deviation, Range{0.001, 1000.0}, "m",
-      "horizontal standard deviation of positions whose messages bear no covariance; twice as much "
+      "horizontal standard deviation of positions whose messages have no covariance; twice as much "
       "vertically. Raise it among high buildings; lower it under open sky");
     v("min_deviation", min_deviation, Range{0.001, 100.0}, "m",
       "smallest standard deviation of a position, whatever its message says. Raise it if stamps of "

@@ -16,7 +16,7 @@ struct GravityConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("enabled", enabled,
-      "true: roll and pitch of the map follow the accelerations of the inertial unit, where "
+      "true: roll and pitch of the map follow the accelerations of the IMU, where "
       "priors/imu_topic names one that measures them; false: they do not");
     v("window", window, Range{0.5, 60.0}, "s",
       "time over which accelerations are averaged to a direction of gravity, which is that of the "

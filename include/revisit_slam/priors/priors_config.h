@@ -47,9 +47,9 @@ struct OdometryNoiseConfig {
       "standard deviation of the rotation, in radians for each radian turned; for messages without "
       "a covariance. Raise it if wheels skid in turns; lower it if the heading slips in turns");
     v("error_scans", error_scans, Range{1.0, 1e4}, "scans",
-      "number of scans over which an error of the registration stays the same, as of matches with "
-      "cars that drive along: beside this odometry a registration has the weight of one in so "
-      "many. Raise it if traffic drags the pose along; lower it if wheels slip for seconds");
+      "number of scans over which an error of the registration stays the same, as that of matches "
+      "with cars that drive along: beside this odometry the weight of a registration is divided by "
+      "it. Raise it if traffic drags the pose along; lower it if wheels slip for seconds");
   }
 };
 
@@ -61,7 +61,7 @@ struct GyroNoiseConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("noise_density", noise_density, Range{1e-7, 1.0}, "rad/s/sqrt(Hz)",
-      "noise of the turn rates, where messages bear no covariance. Raise it if vibrations disturb "
+      "noise of the turn rates, where messages have no covariance. Raise it if vibrations disturb "
       "the gyro; lower it to the value of its data sheet");
     v("initial_bias", initial_bias, Range{0.0, 1.0}, "rad/s",
       "standard deviation of the bias at the start, on each axis. Raise it if the gyro is rejected "
@@ -91,11 +91,11 @@ struct PriorsConfig {
       "name of a frame in which the base frame is moved by TF, as by an odometry of the robot; "
       "instead of odometry_topic; empty: none");
     v("imu_topic", imu_topic, Choices{}, "",
-      "topic of an inertial unit, sensor_msgs/Imu, live and in bags; empty: none");
+      "topic of an IMU, sensor_msgs/Imu, live and in bags; empty: none");
     v("max_wait", max_wait, Range{0.0, 10.0}, "s",
       "longest time, by stamps of later scans, for which a scan waits for messages of odometry and "
-      "inertial unit; then it is registered without them. Raise it if messages come late; lower it "
-      "if poses come too late");
+      "IMU; then it is registered without them. Raise it if messages come late; lower it if poses "
+      "come too late");
     v("max_gap", max_gap, Range{0.001, 10.0}, "s",
       "longest time between two messages over which is interpolated. Raise it for slow topics; "
       "lower it if messages get lost in fast motion");

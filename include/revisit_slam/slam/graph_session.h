@@ -11,7 +11,7 @@
 #include "revisit_slam/mapping/map_builder.h"
 #include "revisit_slam/pose_graph/slam_graph.h"
 #include "revisit_slam/session/map_export.h"
-#include "revisit_slam/session/run_folder.h"
+#include "revisit_slam/session/run_summary.h"
 #include "revisit_slam/slam/session_log.h"
 #include "revisit_slam/slam/slam_config.h"
 #include "revisit_slam/types/loop_closures.h"
@@ -66,8 +66,9 @@ class GraphSession {
 
   /// What the graph knows for run.json.
   void tell(RunSummary& summary) const;
-  /// run.json of what the graph knows, in the folder if there is one. @throws std::runtime_error
-  void writeSummary() const;
+  /// run.json in the folder if there is one: with what the graph knows, and what is known of scans.
+  /// @throws std::runtime_error
+  void writeSummary(RunSummary summary) const;
 
   /// The session as it is now, for exports; its submaps are those in the folder.
   Session snapshot() const { return log_.snapshot(); }

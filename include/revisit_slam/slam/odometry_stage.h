@@ -32,6 +32,7 @@ struct OdometryOutput {
   /// The registration, taken out of the map: what the information is estimated from. Null where the
   /// information is switched off, at the first scan, and where the scan does not fit the map.
   std::shared_ptr<const RegistrationProblem> problem;
+  StageTimes times;
 };
 
 /// From readings to registered scans that carry their registration problem, with an account of
@@ -50,7 +51,6 @@ class OdometryStage {
     OdometryOutput output;  ///< without scan where the reading was dropped
     std::string rejection;  ///< why
     std::string notice;     ///< of a session, messages or voxels that change with it; else empty
-    StageTimes times;
   };
 
   /// What became of the reading, and of those before that had to wait for it: none, one or more.

@@ -84,9 +84,9 @@ struct LiveConfig {
       "rate at which the transform from map to odometry frame is broadcast. Raise it if "
       "transforms are missed between broadcasts; lower it to reduce traffic");
     v("transform_tolerance", transform_tolerance, Range{0.0, 10.0}, "s",
-      "time by which the transform from map to odometry frame is stamped ahead of the newest scan "
-      "and of the time since it came (at most 0.2 s). Raise it if lookups fail by extrapolation "
-      "into the future; lower it if corrections should take effect sooner");
+      "time by which the transform from map to odometry frame is stamped ahead of the newest scan; "
+      "without new scans the stamp goes on with the clock by at most 0.2 s. Raise it if lookups "
+      "fail by extrapolation into the future; lower it if corrections should take effect sooner");
     v("transform_patience", transform_patience, Range{0.0, 3600.0}, "s",
       "longest wait for the transform of a sensor frame after its first scan; then its scans are "
       "dropped and counted until there is one. Raise it if transforms come late at start; lower "

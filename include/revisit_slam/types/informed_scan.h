@@ -5,6 +5,7 @@
 
 #include "revisit_slam/types/information_estimate.h"
 #include "revisit_slam/types/registered_scan.h"
+#include "revisit_slam/util/stage_times.h"
 
 namespace revisit_slam {
 
@@ -28,6 +29,7 @@ struct InformedScan {
   Matrix6 covariance_motion = Matrix6::Identity();
   /// Of T_odom_base, likewise, as it has grown since the session's first scan.
   Matrix6 covariance_pose = Matrix6::Zero();
+  StageTimes times;  ///< of the odometry and of the information
 };
 
 }  // namespace revisit_slam

@@ -198,7 +198,7 @@ void OfflineRun::onScan(const InformedScan& informed, const StageTimes& times) {
     clock.stage("localization");
     for (const auto& time : clock.times()) all_times.push_back(time);
   }
-  folder_.add(informed, all_times);
+  folder_.log().add(entryOf(informed, all_times));
 }
 
 void OfflineRun::onRejection(const std::string& reason) {
@@ -230,7 +230,7 @@ SessionTarget OfflineRun::targetOf(SessionId session) const {
 }
 
 void OfflineRun::onMaps(const MapUpdate& update) {
-  if (update.local_map) memory_.push_back({folder_.pathLength(), memoryMegabytes()});
+  if (update.local_map) memory_.push_back({folder_.log().pathLength(), memoryMegabytes()});
 }
 
 /// What waits to be written is no reason to stop, but to make room. In the background, whose
@@ -284,15 +284,13 @@ void OfflineRun::exportMaps(GraphSession& session) {
 
 void OfflineRun::writeResults() {
   const ScanAccount& account = slam_.account();
-  for (const StageTimes& times : background_times_) folder_.addTimes(times);
+  for (const StageTimes& times : background_times_) folder_.log().addTimes(times);
   RunSummary summary;
   summary.parameters = parametersOf(config_);
-  summary.account = account;
+  summary.input = {account, slam_.sensorAccounts(), readers_.front().description()};
   summary.interrupted = interruption() != 0;
-  summary.priors = slam_.sensorAccounts();
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
-  summary.time_source = readers_.front().description();
   summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   summary.reading_cpu_seconds = reading_cpu_seconds_;
   summary.finish_seconds = finish_seconds_;
@@ -322,11 +320,11 @@ void OfflineRun::judgeConsistency(RunSummary& summary) {
 }
 
 /// Growth between the first and the last local map, where these are far enough from each other.
-double OfflineRun::memoryPerKilometre() const {
+std::optional<double> OfflineRun::memoryPerKilometre() const {
   constexpr double kLeast = 200.0;
-  if (memory_.empty()) return 0.0;
+  if (memory_.empty()) return std::nullopt;
   const double metres = memory_.back().path_length - memory_.front().path_length;
-  if (metres < kLeast) return 0.0;
+  if (metres < kLeast) return std::nullopt;
   return 1000.0 * (memory_.back().megabytes - memory_.front().megabytes) / metres;
 }
 

@@ -53,7 +53,7 @@ class OfflineRun : private SlamObserver {
   void sayWhatWaits();
   void writeResults();
   void judgeConsistency(RunSummary& summary);
-  double memoryPerKilometre() const;
+  std::optional<double> memoryPerKilometre() const;
 
   void onScan(const InformedScan& informed, const StageTimes& times) override;
   void onRejection(const std::string& reason) override;

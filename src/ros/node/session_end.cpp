@@ -8,10 +8,15 @@
 
 namespace revisit_slam {
 
-std::string saveAll(GraphSession& session) {
+std::string saveAll(GraphSession& session, DriveLog* log) {
   try {
     for (const std::string& notice : session.saveOwn()) ROS_WARN("%s", notice.c_str());
-    session.writeSummary();
+    RunSummary summary;
+    if (log != nullptr) {
+      log->tell(summary);
+      log->flush();
+    }
+    session.writeSummary(summary);
     return "";
   } catch (const std::exception& error) {
     return error.what();

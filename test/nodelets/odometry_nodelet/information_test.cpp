@@ -112,7 +112,7 @@ TEST_F(Information, fallingBehindRepeatsTheLastMatrixAndMarksIt) {
     auto scan = std::make_shared<RegisteredScan>(*registered_.back()->scan);
     scan->id.value = 3 + i;
     many.push_back(boost::make_shared<const OdometryOutput>(
-        OdometryOutput{scan, registered_.back()->problem}));
+        OdometryOutput{scan, registered_.back()->problem, {}}));
   }
   for (const RegisteredPtr& scan : many) burst.publish(scan);
   ASSERT_TRUE(allHere(203));

@@ -56,13 +56,13 @@ struct LoopCloserConfig {
       "checked. Raise it if registrations slide along repeated structure; "
       "lower it if scenes that changed between the visits are rejected");
     v("max_translation", max_translation, Range{0.0, 1000.0}, "m",
-      "largest translation in metres of a registration from its guess; also the distance within "
-      "which rival poses are looked for. Raise it if drift is larger than this before a loop is "
-      "closed; lower it if registrations reach a wrong minimum");
+      "largest translation in metres of a registration from its first guess; also the distance "
+      "within which rival poses are looked for. Raise it if drift is larger than this before a "
+      "loop is closed; lower it if registrations reach a wrong minimum");
     v("max_rotation", max_rotation, Range{0.0, 180.0}, "deg",
-      "largest rotation in degrees of a registration from its guess; a third of it where no other "
-      "registration of the same local maps confirms it. Raise it if drift is larger than this "
-      "before a loop is closed; lower it if registrations reach a wrong minimum");
+      "largest rotation in degrees of a registration from its first guess; a third of it where no "
+      "other registration of the same local maps confirms it. Raise it if drift is larger than "
+      "this before a loop is closed; lower it if registrations reach a wrong minimum");
     v("max_ambiguity", max_ambiguity, Range{0.0, 10.0}, "",
       "largest ratio of what two submaps have in common at a rival pose, within the drift of the "
       "odometry and max_translation, to what they have in common at the registered one; above it "

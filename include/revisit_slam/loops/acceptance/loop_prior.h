@@ -24,9 +24,9 @@ struct DriftConfig {
   template <typename Visitor>
   void visit(Visitor& v) {
     v("max_deviation", max_deviation, Range{0.0, 1000.0}, "sigma",
-      "largest deviation of a loop from where the graph expects it, in standard deviations of "
-      "the odometry's drift along the shortest path through the graph; 0: not checked. Raise "
-      "it if right loops are rejected after long drives; lower it if wrong loops of places "
+      "largest deviation of a loop from where the graph expects it, in standard deviations of the "
+      "odometry's drift along the path through the graph with the least drift; 0: not checked. "
+      "Raise it if right loops are rejected after long drives; lower it if wrong loops of places "
       "that look alike are accepted");
     v("base", base, Range{0.0, 100.0}, "m",
       "standard deviation of a loop's position before any drift, as submaps are bent "

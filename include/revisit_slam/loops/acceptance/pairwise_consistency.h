@@ -21,9 +21,9 @@ struct PairwiseConsistencyConfig {
   void visit(Visitor& v) {
     v("translation", translation, Range{0.0, 100.0}, "m",
       "largest difference in metres between two registrations of the same local maps that are "
-      "consistent; also the largest translation from its guess of a retroactive registration that "
-      "no other confirms. Raise it if right loops are rejected as inconsistent; lower it if wrong "
-      "ones confirm each other");
+      "consistent; also the largest translation from its first guess of a retroactive registration "
+      "that no other confirms. Raise it if right loops are rejected as inconsistent; lower it if "
+      "wrong ones confirm each other");
     v("translation_drift", translation_drift, Range{0.0, 1.0}, "",
       "allowance for odometry drift, in metres for each metre between the submaps of the two "
       "registrations; none where the graph placed the submaps. Raise it if the odometry drifts "

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "revisit_slam/io/growing_file.h"
+#include "revisit_slam/session/run_summary.h"
+#include "revisit_slam/types/informed_scan.h"
+#include "revisit_slam/types/travelled_distance.h"
+#include "revisit_slam/util/stage_times.h"
+
+namespace revisit_slam {
+
+/// Lines that are added to a file, which is made with the first. Those that cannot be written wait
+/// for the next.
+class LineFile {
+ public:
+  explicit LineFile(const std::string& path) : path_(path) {}
+
+  void add(const std::string& line);
+  /// @throws std::runtime_error naming the file, if there are lines that cannot be written.
+  void flush();
+
+ private:
+  std::string path_;
+  std::unique_ptr<GrowingFile> file_;
+  std::string waiting_;
+};
+
+/// What a scan adds to the log of a drive: all but its points.
+struct DriveLogEntry {
+  ScanId scan;
+  StampedPose pose;  ///< T_odom_base
+  InformationSource source;
+  double mean_squared_residual;
+  std::size_t weak_directions;
+  Matrix6 information, covariance_motion;
+  PoseVerdict verdict;
+  double explained;
+  StageTimes times;
+};
+
+/// `times`: of all stages.
+DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times);
+
+/// What is known of each scan of a drive, on disk as soon as it is known: odometry.tum,
+/// odometry_information.csv and scan_times.csv in a folder.
+class DriveLog {
+ public:
+  explicit DriveLog(const std::string& folder);
+
+  void add(const DriveLogEntry& entry);
+  /// Wall time of what is done once for a local map or an optimisation, for run.json.
+  void addTimes(const StageTimes& times);
+
+  double pathLength() const { return distance_.metres(); }
+
+  void tell(RunSummary& summary) const;
+  /// Writes lines that wait. @throws std::runtime_error naming the file that cannot be written.
+  void flush();
+
+ private:
+  void writeInformation(const DriveLogEntry& entry);
+  void writeTimes(const DriveLogEntry& entry);
+
+  LineFile odometry_, information_, scan_times_;
+  std::vector<std::string> stages_;  // in the order of the first scan
+  std::map<std::string, std::vector<float>> stage_ms_;
+  std::map<PoseVerdict, std::size_t> verdicts_;
+  TravelledDistance distance_;
+};
+
+}  // namespace revisit_slam

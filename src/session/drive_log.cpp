@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/session/drive_log.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "revisit_slam/io/trajectory.h"
+
+namespace revisit_slam {
+
+void LineFile::add(const std::string& line) {
+  waiting_ += line;
+  try {
+    flush();
+  } catch (const std::runtime_error&) {
+    // It waits: flush() at the end tells.
+  }
+}
+
+void LineFile::flush() {
+  if (!file_) file_ = std::make_unique<GrowingFile>(path_);
+  file_->append(waiting_);
+  waiting_.clear();
+}
+
+DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times) {
+  const RegisteredScan& scan = *informed.scan;
+  return {scan.id,
+          {scan.stamp, scan.T_odom_base},
+          informed.source,
+          informed.estimate.mean_squared_residual,
+          informed.estimate.weak_directions.size(),
+          informed.estimate.information,
+          informed.covariance_motion,
+          informed.verdict,
+          scan.registration.explained,
+          times};
+}
+
+DriveLog::DriveLog(const std::string& folder)
+    : odometry_(folder + "/odometry.tum"),
+      information_(folder + "/odometry_information.csv"),
+      scan_times_(folder + "/scan_times.csv") {
+  std::string header = "scan,stamp,source,mean_squared_residual,weak_directions";
+  for (const char* matrix : {"information", "covariance"})
+    for (int row = 1; row <= 6; ++row)
+      for (int column = row; column <= 6; ++column)
+        header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
+  information_.add(header + ",verdict,explained\n");
+}
+
+void DriveLog::add(const DriveLogEntry& entry) {
+  std::ostringstream pose;
+  writeTumLine(pose, entry.pose);
+  odometry_.add(pose.str());
+  const Eigen::Vector3d& position = entry.pose.T_world_base.translation;
+  if (entry.scan.value == 0) distance_.goOnFrom(position);
+  distance_.go(position);
+  ++verdicts_[entry.verdict];
+  writeInformation(entry);
+  writeTimes(entry);
+}
+
+void DriveLog::writeInformation(const DriveLogEntry& entry) {
+  std::ostringstream line;
+  line << entry.scan.value << "," << stampText(entry.pose.stamp) << "," << toString(entry.source)
+       << "," << entry.mean_squared_residual << "," << entry.weak_directions;
+  for (const Matrix6* matrix : {&entry.information, &entry.covariance_motion})
+    for (int row = 0; row < 6; ++row)
+      for (int column = row; column < 6; ++column) line << "," << (*matrix)(row, column);
+  line << "," << toString(entry.verdict) << "," << entry.explained << "\n";
+  information_.add(line.str());
+}
+
+void DriveLog::writeTimes(const DriveLogEntry& entry) {
+  std::ostringstream line;
+  if (stages_.empty()) {
+    line << "scan,stamp";
+    for (const auto& [stage, ms] : entry.times) {
+      stages_.emplace_back(stage);
+      line << "," << stage << "_ms";
+    }
+    line << ",total_ms\n";
+  }
+  double total = 0.0;
+  line << entry.scan.value << "," << stampText(entry.pose.stamp);
+  for (const auto& [stage, ms] : entry.times) {
+    line << "," << ms;
+    stage_ms_[stage].push_back(static_cast<float>(ms));
+    total += ms;
+  }
+  stage_ms_["total"].push_back(static_cast<float>(total));
+  line << "," << total << "\n";
+  scan_times_.add(line.str());
+}
+
+void DriveLog::addTimes(const StageTimes& times) {
+  for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(static_cast<float>(ms));
+}
+
+void DriveLog::tell(RunSummary& summary) const {
+  summary.processed = 0;
+  for (const auto& [verdict, count] : verdicts_) summary.processed += count;
+  summary.verdicts = verdicts_;
+  summary.stage_ms = stage_ms_;
+  summary.path_length = pathLength();
+}
+
+void DriveLog::flush() {
+  for (LineFile* lines : {&odometry_, &information_, &scan_times_}) lines->flush();
+}
+
+}  // namespace revisit_slam
