@@ -145,7 +145,7 @@ class BackEndNodelet : public SlamNodelet {
   /// And no longer keeps those of sessions before.
   std::string save(GraphSession& session) {
     const auto log = logs_.find(session.id());
-    const std::string problem = saveAll(session, log == logs_.end() ? nullptr : &log->second);
+    std::string problem = saveAll(session, log == logs_.end() ? nullptr : &log->second);
     logs_.erase(logs_.begin(), logs_.lower_bound(session.id()));
     return problem;
   }
