@@ -95,8 +95,7 @@ class BackEndNodelet : public SlamNodelet {
                        prior = informed->scan->goes_on_from,
                        entry = entryOf(*informed, informed->times)] {
             sensor_frame_ = frame;
-            add(node, prior);
-            log(entry);
+            if (add(node, prior)) log(entry);
           });
         });
   }
@@ -110,15 +109,16 @@ class BackEndNodelet : public SlamNodelet {
                                                     config_.occupancy, draw_again);
   }
 
-  void add(const GraphNode& node, const KnownMapPtr& prior) {
+  /// @return whether the scan is in the graph: not while the base stands still.
+  bool add(const GraphNode& node, const KnownMapPtr& prior) {
     switch (stage_->add(node, prior)) {
       case ScanOrder::repeated:
-        return;
+        return false;
       case ScanOrder::missed:
         status_.noteMissedScan();
         NODELET_WARN_THROTTLE(5.0,
                               "no graph: scans before this one were missed; call odometry/reset");
-        return;
+        return false;
       case ScanOrder::first:
         occupancy_->clear();
         if (!stage_->session()->folder().empty())
@@ -129,17 +129,16 @@ class BackEndNodelet : public SlamNodelet {
         break;
     }
     constexpr std::size_t scans_per_path = 10;
-    if (stage_->session()->graph().size() % scans_per_path != 0) return;
+    if (stage_->session()->graph().size() % scans_per_path != 0) return true;
     status_.note(*stage_->session());
     display_->drawPath(*stage_->session());
+    return true;
   }
 
   /// Of the session that scans come from: the one before may end later than that begins.
   void log(const DriveLogEntry& entry) {
-    const GraphSession* session = stage_->session();
-    if (session == nullptr || session->folder().empty() || session->id() != entry.scan.session)
-      return;
-    logs_.try_emplace(session->id(), session->folder()).first->second.add(entry);
+    const std::string& folder = stage_->session()->folder();
+    if (!folder.empty()) logs_.try_emplace(entry.scan.session, folder).first->second.add(entry);
   }
 
   /// And no longer keeps those of sessions before.

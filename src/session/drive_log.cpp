@@ -7,6 +7,25 @@
 #include "revisit_slam/io/trajectory.h"
 
 namespace revisit_slam {
+namespace {
+
+std::string informationHeader() {
+  std::string header = "scan,stamp,source,mean_squared_residual,weak_directions";
+  for (const char* matrix : {"information", "covariance"})
+    for (int row = 1; row <= 6; ++row)
+      for (int column = row; column <= 6; ++column)
+        header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
+  return header + ",verdict,explained\n";
+}
+
+/// With the stages in the order of the first scan.
+std::string timesHeader(const StageTimes& times) {
+  std::string header = "scan,stamp";
+  for (const auto& [stage, ms] : times) header += std::string(",") + stage + "_ms";
+  return header + ",total_ms\n";
+}
+
+}  // namespace
 
 void LineFile::add(const std::string& line) {
   waiting_ += line;
@@ -18,7 +37,11 @@ void LineFile::add(const std::string& line) {
 }
 
 void LineFile::flush() {
-  if (!file_) file_ = std::make_unique<GrowingFile>(path_);
+  if (file_ && file_->removed()) file_.reset();
+  if (!file_) {
+    file_ = std::make_unique<GrowingFile>(path_);
+    waiting_.insert(0, header_);
+  }
   file_->append(waiting_);
   waiting_.clear();
 }
@@ -39,15 +62,8 @@ DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times) {
 
 DriveLog::DriveLog(const std::string& folder)
     : odometry_(folder + "/odometry.tum"),
-      information_(folder + "/odometry_information.csv"),
-      scan_times_(folder + "/scan_times.csv") {
-  std::string header = "scan,stamp,source,mean_squared_residual,weak_directions";
-  for (const char* matrix : {"information", "covariance"})
-    for (int row = 1; row <= 6; ++row)
-      for (int column = row; column <= 6; ++column)
-        header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
-  information_.add(header + ",verdict,explained\n");
-}
+      information_(folder + "/odometry_information.csv", informationHeader()),
+      scan_times_(folder + "/scan_times.csv") {}
 
 void DriveLog::add(const DriveLogEntry& entry) {
   std::ostringstream pose;
@@ -73,15 +89,8 @@ void DriveLog::writeInformation(const DriveLogEntry& entry) {
 }
 
 void DriveLog::writeTimes(const DriveLogEntry& entry) {
+  if (!scan_times_.hasHeader()) scan_times_.setHeader(timesHeader(entry.times));
   std::ostringstream line;
-  if (stages_.empty()) {
-    line << "scan,stamp";
-    for (const auto& [stage, ms] : entry.times) {
-      stages_.emplace_back(stage);
-      line << "," << stage << "_ms";
-    }
-    line << ",total_ms\n";
-  }
   double total = 0.0;
   line << entry.scan.value << "," << stampText(entry.pose.stamp);
   for (const auto& [stage, ms] : entry.times) {

@@ -73,6 +73,19 @@ TEST(DriveLog, WaitsForItsFolder) {
   EXPECT_NO_THROW(log.flush());
 }
 
+TEST(DriveLog, BeginsAnewWhereItsFilesAreRemoved) {
+  const TemporaryFolder folder;
+  DriveLog log(folder.file(""));
+  log.add(entryOf(scanAt(0), timesOf(0)));
+  for (const char* name : {"odometry.tum", "odometry_information.csv", "scan_times.csv"})
+    std::filesystem::remove(folder.file(name));
+  log.add(entryOf(scanAt(1), timesOf(1)));
+  EXPECT_NO_THROW(log.flush());
+  EXPECT_EQ(readTum(folder.file("odometry.tum")).size(), 1u);
+  EXPECT_EQ(textOf(folder.file("scan_times.csv")),
+            "scan,stamp,register_ms,downsample_ms,total_ms\n1,1700000000.100000001,2,0.5,2.5\n");
+}
+
 TEST(DriveLog, TellsOfAllScans) {
   const TemporaryFolder folder;
   DriveLog log(folder.file(""));

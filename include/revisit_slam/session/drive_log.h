@@ -15,17 +15,22 @@
 namespace revisit_slam {
 
 /// Lines that are added to a file, which is made with the first. Those that cannot be written wait
-/// for the next.
+/// for the next. Where the file is removed, it is made anew, and the lines in it are lost.
 class LineFile {
  public:
-  explicit LineFile(const std::string& path) : path_(path) {}
+  /// `header`: the first line.
+  explicit LineFile(const std::string& path, const std::string& header = "")
+      : path_(path), header_(header) {}
 
+  bool hasHeader() const { return !header_.empty(); }
+  /// Before the first line is added.
+  void setHeader(const std::string& header) { header_ = header; }
   void add(const std::string& line);
   /// @throws std::runtime_error naming the file, if there are lines that cannot be written.
   void flush();
 
  private:
-  std::string path_;
+  std::string path_, header_;
   std::unique_ptr<GrowingFile> file_;
   std::string waiting_;
 };
@@ -67,7 +72,6 @@ class DriveLog {
   void writeTimes(const DriveLogEntry& entry);
 
   LineFile odometry_, information_, scan_times_;
-  std::vector<std::string> stages_;  // in the order of the first scan
   std::map<std::string, std::vector<float>> stage_ms_;
   std::map<PoseVerdict, std::size_t> verdicts_;
   TravelledDistance distance_;

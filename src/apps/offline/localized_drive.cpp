@@ -12,11 +12,10 @@ LocalizedDrive::LocalizedDrive(const SlamConfig& config, const RunFolder& folder
     : say_(std::move(say)),
       stage_(config, notices_),
       trajectory_(folder.file("localized.tum")),
-      states_(folder.file("localization.csv")) {
+      states_(folder.file("localization.csv"),
+              "stamp,scan,state,since_fix_m,attempted,target,overlap,coherence,sigma_x,sigma_y,"
+              "sigma_z,reason\n") {
   for (const std::string& notice : notices_) say_(notice);
-  states_.add(
-      "stamp,scan,state,since_fix_m,attempted,target,overlap,coherence,sigma_x,sigma_y,"
-      "sigma_z,reason\n");
 }
 
 void LocalizedDrive::add(const InformedScan& informed) {

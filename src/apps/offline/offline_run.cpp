@@ -69,8 +69,8 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
     localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
     return;
   }
-  loop_candidates_.emplace(folder_.file("loop_candidates.csv"));
-  loop_candidates_->add(
+  loop_candidates_.emplace(
+      folder_.file("loop_candidates.csv"),
       "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n");
 }
 

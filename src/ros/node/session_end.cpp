@@ -12,11 +12,9 @@ std::string saveAll(GraphSession& session, DriveLog* log) {
   try {
     for (const std::string& notice : session.saveOwn()) ROS_WARN("%s", notice.c_str());
     RunSummary summary;
-    if (log != nullptr) {
-      log->tell(summary);
-      log->flush();
-    }
+    if (log != nullptr) log->tell(summary);
     session.writeSummary(summary);
+    if (log != nullptr) log->flush();
     return "";
   } catch (const std::exception& error) {
     return error.what();

@@ -64,6 +64,26 @@ TEST(Sessions, whatWasDrivenIsOnDiskWhenTheNodeletsEndUnasked) {
   EXPECT_EQ(readTum(drives[0] + "/trajectory.tum").size(), 120u);
 }
 
+TEST(Sessions, aFolderThatIsDeletedDuringTheDriveIsWrittenAnew) {
+  const TemporaryFolder folder;
+  LiveSlam slam("deleted", folder.file("drives"));
+  slam.load();
+  const auto& clouds = DriveWithLoops::get().clouds;
+  slam.play({clouds.begin(), clouds.begin() + 60});
+  const std::string drive = entriesOf(folder.file("drives")).at(0);
+  const std::string odometry = drive + "/odometry.tum";
+  ASSERT_TRUE(becomesTrue(
+      [&] { return std::filesystem::exists(odometry) && readTum(odometry).size() == 60; }));
+  std::filesystem::remove_all(drive);
+  slam.play({clouds.begin() + 60, clouds.begin() + 120});
+  const auto finished = slam.trigger("back_end/finish");
+  EXPECT_TRUE(finished.success) << finished.message;
+  EXPECT_EQ(readTum(drive + "/trajectory.tum").size(), 120u);
+  EXPECT_LE(readTum(odometry).size(), 60u);
+  for (const char* name : {"/run.json", "/map.pcd", "/graph.log"})
+    EXPECT_TRUE(std::filesystem::exists(drive + name)) << name;
+}
+
 TEST(Sessions, savingNeedsAFolderAndSomethingToSave) {
   LiveSlam slam("saving");
   slam.load();
