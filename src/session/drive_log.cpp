@@ -38,11 +38,8 @@ void LineFile::add(const std::string& line) {
 
 void LineFile::flush() {
   if (file_ && file_->removed()) file_.reset();
-  if (!file_) {
-    file_ = std::make_unique<GrowingFile>(path_);
-    waiting_.insert(0, header_);
-  }
-  file_->append(waiting_);
+  if (!file_) file_ = std::make_unique<GrowingFile>(path_);
+  file_->append(file_->size() == 0 ? header_ + waiting_ : waiting_);
   waiting_.clear();
 }
 

@@ -79,7 +79,7 @@ TEST(Sessions, aFolderThatIsDeletedDuringTheDriveIsWrittenAnew) {
   const auto finished = slam.trigger("back_end/finish");
   EXPECT_TRUE(finished.success) << finished.message;
   EXPECT_EQ(readTum(drive + "/trajectory.tum").size(), 120u);
-  EXPECT_LE(readTum(odometry).size(), 60u);
+  EXPECT_EQ(readTum(odometry).size(), 60u);  // those after
   for (const char* name : {"/run.json", "/map.pcd", "/graph.log"})
     EXPECT_TRUE(std::filesystem::exists(drive + name)) << name;
 }
