@@ -30,6 +30,8 @@ from sensor_msgs.msg import PointCloud2
 from std_srvs.srv import Trigger
 
 SCANS_IN_A_BLOCK = 100
+SCANS_IN_AN_HOUR = 36000
+PHASES = ("sessions", "laps", "rest")  # of the life of a process, which ends with a kill
 PATIENCE = 120.0  # s, for what was sent to be accounted for
 
 
@@ -53,14 +55,21 @@ class Drive:
             topic = next(t for t, info in topics.items() if info.msg_type == "sensor_msgs/PointCloud2")
             self.scans = [raw[1] for _, raw, _ in bag.read_messages([topic], raw=True)]
         self.next = 0
+        self.is_at_rest = False
+        self.passed = 0  # scans, at rest or not
         self.nanoseconds = 1_700_000_000 * 10**9
+
+    @property
+    def hours(self) -> float:
+        return self.passed / SCANS_IN_AN_HOUR
 
     def skip(self, scans: int = 1) -> bytes:
         """The scan that comes next, with its stamp."""
         turn = 2 * len(self.scans) - 2
         place = self.next % turn
         scan = self.scans[place if place < len(self.scans) else turn - place]
-        self.next += scans
+        self.next += 0 if self.is_at_rest else scans
+        self.passed += scans
         self.nanoseconds += scans * 100_000_000
         return scan[:4] + struct.pack("<II", *divmod(self.nanoseconds, 10**9)) + scan[12:]
 
@@ -131,8 +140,9 @@ class Soak:
         self.counts: Counter = Counter()
         self.lost_scans = 0
         self.sent = 0  # since the account began
-        self.memory: List[List[float]] = []  # hours of the drive, MB; since the process began
-        self.slopes: List[float] = []  # MB an hour, of processes
+        self.memory: List[List[float]] = []  # hours of the drive, MB; since the phase began
+        self.slopes: Dict[str, List[float]] = {phase: [] for phase in PHASES}  # MB an hour
+        self.peak = 0.0  # MB
         self.p99s: List[float] = []
         self.log = open(self.work / "slam.log", "wb")
         self.start_master()
@@ -222,7 +232,8 @@ class Soak:
         for line in Path(f"/proc/{self.manager()}/status").read_text().splitlines():
             if line.startswith("VmRSS:"):
                 resident = int(line.split()[1]) / 1e3
-        self.memory.append([self.drive.next / 36000.0, resident])
+        self.memory.append([self.drive.hours, resident])
+        self.peak = max(self.peak, resident)
         if self.odometry.p99() is not None:
             self.p99s.append(self.odometry.p99())
 
@@ -288,17 +299,24 @@ class Soak:
     def kill(self) -> None:
         os.kill(self.manager(), signal.SIGKILL)
         self.wait(lambda: self.slam.poll() is not None, "the end")
-        self.note_slope()
+        self.counts["kill"] += 1
         self.check_sessions()
         self.start()
 
+    def kill_on_the_way(self) -> None:
+        self.drive.is_at_rest = False
+        for _ in range(self.random.randint(1, 5 * SCANS_IN_A_BLOCK)):
+            self.send(self.drive.skip())
+        self.kill()
+
     # What is left.
 
-    def note_slope(self) -> None:
-        if len(self.memory) < 20:
-            return
-        tail = numpy.array(self.memory[len(self.memory) // 4 :])
-        self.slopes.append(float(numpy.polyfit(tail[:, 0], tail[:, 1], 1)[0]))
+    def note_slope(self, phase: str) -> None:
+        """Of the last two thirds of a phase: the first one fills what is reused afterwards."""
+        tail = numpy.array(self.memory[len(self.memory) // 3 :])
+        if len(tail) >= 10:
+            self.slopes[phase].append(float(numpy.polyfit(tail[:, 0], tail[:, 1], 1)[0]))
+        self.memory = []
 
     def check_sessions(self) -> None:
         """Every session can be exported; then it has done its duty."""
@@ -317,13 +335,15 @@ class Soak:
             else:
                 shutil.rmtree(session.parent)
 
-    def run(self) -> int:
+    def run_phase(self, phase: str, hours: float) -> None:
         events: List[Callable[[], None]] = [self.loss, self.repeats, self.nan, self.garbage]
-        events += [self.overload, self.outage, self.clock, self.reset, self.finish, self.save]
-        events += [self.parameters, self.remove, self.kill]
+        events += [self.overload, self.outage, self.finish, self.save, self.parameters, self.remove]
+        if phase == "sessions":  # these two begin another one
+            events += [self.clock, self.reset]
+        self.drive.is_at_rest = phase == "rest"
         queue: List[Callable[[], None]] = []
-        end = int(self.arguments.hours * 36000)
-        while self.drive.next < end:
+        end = self.drive.hours + hours
+        while self.drive.hours < end:
             self.send_block()
             self.settle()
             if not queue:  # each of them in turn, in another order each time
@@ -331,22 +351,38 @@ class Soak:
             event = queue.pop()
             self.counts[event.__name__] += 1
             event()
+        self.note_slope(phase)
+
+    def run(self) -> int:
+        lives = max(1, round(self.arguments.hours / self.arguments.life))
+        for life in range(lives):
+            if life > 0:
+                self.kill_on_the_way()
+            for phase in PHASES:
+                self.run_phase(phase, self.arguments.hours / lives / len(PHASES))
+                print(f"life {life + 1}, {phase}: {self.drive.hours:.2f} h, {self.state()}", flush=True)
         self.send_block()
         self.settle()
-        self.note_slope()
         os.kill(self.slam.pid, signal.SIGINT)
         self.wait(lambda: self.slam.poll() is not None, "the end")
         self.check_sessions()
         return self.report()
 
+    def state(self) -> str:
+        memory = ", ".join(
+            f"{phase} " + " ".join(f"{slope:.1f}" for slope in slopes)
+            for phase, slopes in self.slopes.items()
+            if slopes
+        )
+        return f"{self.lost_scans} unaccounted, MB/h: {memory or 'too short to tell'}"
+
     def report(self) -> int:
         quarter = max(1, len(self.p99s) // 4)
         first, last = numpy.median(self.p99s[:quarter]), numpy.median(self.p99s[-quarter:])
-        slope = f"{numpy.median(self.slopes):.1f} MB/h" if self.slopes else "too short to tell"
         broken = self.counts["sessions broken"]
-        print(f"hours of the drive    {self.drive.next / 36000.0:.2f}")
-        print(f"scans                 {self.counts['scans sent']} sent, {self.lost_scans} unaccounted")
-        print(f"memory slope          {slope}")
+        print(f"hours of the drive    {self.drive.hours:.2f}")
+        print(f"scans                 {self.counts['scans sent']} sent, {self.state()}")
+        print(f"memory                {self.peak:.0f} MB at most")
         print(f"p99 of a scan         {first:.1f} -> {last:.1f} ms")
         print(f"never caught up       {self.counts['times behind']} times")
         print(f"sessions              {self.counts['sessions checked']} checked, {broken} broken")
@@ -374,11 +410,13 @@ def main() -> None:
     add("--work", type=Path, required=True)
     add("--hours", type=float, default=10.0, help="of the drive, at 10 scans a second")
     add("--minutes", type=float, help="likewise")
+    add("--life", type=float, help="of a process, in hours; a kill ends it (default: half of all)")
     add("--rate", type=float, default=40.0, help="scans a second")
     add("--seed", type=int, default=1, help="of what happens")
     arguments = parser.parse_args()
     if arguments.minutes is not None:
         arguments.hours = arguments.minutes / 60.0
+    arguments.life = arguments.life or arguments.hours / 2
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # leaves nothing behind
     soak = Soak(arguments)
     try:
