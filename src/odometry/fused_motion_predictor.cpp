@@ -123,7 +123,7 @@ Pose FusedMotionPredictor::unevenness(const Fusion& fusion, Stamp stamp, double 
   Pose T_even_seen;
   for (const Weighed& weighed : fusion.measurements) {
     if (!weighed.is_used) continue;
-    const char* sensor = weighed.measurement.sensor;
+    const std::string& sensor = weighed.measurement.sensor;
     const auto seen = priors_.measure(sensor, stamp.plusSeconds(-seconds), stamp);
     if (!seen) continue;
     const Tangent in_all = log(weighed.measurement.motion->T_from_to);

@@ -33,7 +33,7 @@ class MotionPriors {
   std::string giveUp(Stamp stamp);
 
   struct Measurement {
-    const char* sensor;
+    std::string sensor;
     std::optional<MeasuredMotion> motion;
   };
   /// One for each sensor that is connected.
