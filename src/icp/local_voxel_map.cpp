@@ -128,17 +128,18 @@ bool LocalVoxelMap::isLevel(BlockIndex block) const {
   return shape.kind == ShapeKind::planar && std::abs(shape.normal.z()) > kLevel;
 }
 
-double LocalVoxelMap::coveredShare(int height) const {
+double LocalVoxelMap::coveredShare(int lowest, int highest) const {
   std::size_t level = 0, covered = 0;
   VoxelNumbers::Reader block_of(block_of_);
   for (BlockIndex block = 0; block < shapes_.size(); ++block) {
     if (sizes_[block] == 0 || !isLevel(block)) continue;
     ++level;
-    Voxel above = voxels_[block] + Voxel::UnitZ();
-    if (isLevel(block_of.at(above))) continue;  // the same plane
-    for (int k = 2; k <= height; ++k) {
-      above += Voxel::UnitZ();
-      if (!isLevel(block_of.at(above))) continue;
+    const auto is_level_above = [&](int voxels) {
+      return isLevel(block_of.at(voxels_[block] + voxels * Voxel::UnitZ()));
+    };
+    if (is_level_above(1)) continue;  // the same plane
+    for (int k = lowest; k <= highest; ++k) {
+      if (!is_level_above(k)) continue;
       ++covered;
       break;
     }

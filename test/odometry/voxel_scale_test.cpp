@@ -49,6 +49,14 @@ TEST(VoxelScale, IsSmallerUnderALowCeiling) {
   EXPECT_EQ(after({1.0, false}, 30.0, 10, {0.1f, 3.1f}), 1.0);
 }
 
+TEST(VoxelScale, WhatIsLevelNearTheGroundIsNoCeiling) {
+  EXPECT_EQ(after({0.7, true}, 30.0, 10, {0.1f, 1.2f}), 0.7);
+  EXPECT_EQ(after({0.35, true}, 30.0, 10, {0.1f, 1.2f}), 0.35);
+  std::vector<float> foliage;
+  for (int i = 0; i < 30; ++i) foliage.push_back(0.1f + 0.21f * static_cast<float>(i));
+  EXPECT_GE(after({0.7, true}, 30.0, 10, foliage), 0.35);
+}
+
 TEST(VoxelScale, FollowsFromRoomToYardAndBackButNotAGlanceThroughTheDoor) {
   VoxelScale scale(1.0, true);
   const auto observe = [&](double reach, int scans) {

@@ -51,9 +51,9 @@ class LocalVoxelMap {
   /// Exact; looks only into voxels that can hold a nearer point than the best so far.
   bool nearest(const Eigen::Vector3d& query_odom, double max_distance, Neighbour& neighbour) const;
 
-  /// Of the voxels with a level plane: the share that has another such voxel above it, at least two
-  /// and at most `height` voxels up. Floors under ceilings.
-  double coveredShare(int height) const;
+  /// Of the voxels with a level plane: the share that has another such voxel above it, `lowest` (at
+  /// least two) to `highest` voxels up, and none that touches it. Floors under ceilings.
+  double coveredShare(int lowest, int highest) const;
 
   /// Calls see(point_odom - query_odom, its squared length) for every point within `radius` of the
   /// query, in an order that depends on the voxels alone. The radius is taken a little larger.

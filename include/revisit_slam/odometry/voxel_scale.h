@@ -10,7 +10,8 @@ namespace revisit_slam {
 /// once, and none of them could be told apart: the edge is halved while scans reach less than ten
 /// edges, or while a ceiling is less than five edges above the floor, as in a garage, and doubled,
 /// up to the configured one, once scans reach forty edges and no ceiling is within ten: a factor of
-/// two from where it is halved, so that the edge does not change back and forth.
+/// two from where it is halved, so that the edge does not change back and forth. What is level less
+/// than 1.5 m above the floor is no ceiling.
 class VoxelScale {
  public:
   /// `largest`: m, the configured edge. `adaptive`: false keeps it.
@@ -30,6 +31,8 @@ class VoxelScale {
   bool shrink(const LocalVoxelMap& map);
 
  private:
+  bool isUnderCeiling(const LocalVoxelMap& map, int highest) const;
+
   double largest_;
   bool adaptive_;
   double voxel_size_;
