@@ -40,6 +40,10 @@ SessionWriter::~SessionWriter() {
 
 /// A job that fails stays the first; it may have been done in part and is done again.
 void SessionWriter::post(Job job) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    posted_.push_back(std::chrono::steady_clock::now());
+  }
   lane_.post([this, job = std::move(job)]() mutable {
     jobs_.push_back(std::move(job));
     work();
@@ -48,7 +52,12 @@ void SessionWriter::post(Job job) {
 
 void SessionWriter::work() {
   try {
-    for (; !jobs_.empty(); jobs_.pop_front()) jobs_.front()();
+    while (!jobs_.empty()) {
+      jobs_.front()();
+      jobs_.pop_front();
+      const std::lock_guard<std::mutex> lock(mutex_);
+      posted_.pop_front();
+    }
     noteProblem("");
   } catch (const std::exception& error) {
     noteProblem(error.what());
@@ -74,6 +83,13 @@ void SessionWriter::noteProblem(const std::string& problem) {
 std::string SessionWriter::problem() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return problem_;
+}
+
+WriterBacklog SessionWriter::backlog() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (posted_.empty()) return {};
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - posted_.front();
+  return {posted_.size(), waited.count()};
 }
 
 void SessionWriter::begin() {

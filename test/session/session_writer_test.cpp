@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/session/session_writer.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "session/session_fixtures.h"
 #include "support/contains.h"
@@ -51,6 +59,38 @@ TEST(SessionWriter, ASubmapIsInTheLogWhenItsFileIsWhole) {
   std::filesystem::remove_all(submapFile(path, SubmapId{0}) + ".part");
   writer.drain();
   EXPECT_EQ(readQuietly(path).submaps.size(), 1u);
+}
+
+/// The file of the first submap is a pipe that takes little, and that nobody reads at first.
+TEST(SessionWriter, TellsHowLongASlowDiskLetsItWait) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  writer.drain();
+  EXPECT_EQ(writer.backlog().writes, 0u);
+  EXPECT_EQ(writer.backlog().seconds, 0.0);
+  const std::string name = submapFile(path, SubmapId{0}) + ".part";
+  ASSERT_EQ(mkfifo(name.c_str(), 0600), 0);
+  const int pipe = open(name.c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_GE(pipe, 0);
+  add(writer, 0);
+  add(writer, 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(writer.backlog().writes, 2u);
+  EXPECT_GE(writer.backlog().seconds, 0.1);
+  EXPECT_EQ(writer.problem(), "");
+  std::atomic<bool> is_done{false};
+  std::thread reader([&] {
+    std::array<char, 65536> bytes{};
+    while (!is_done)
+      if (read(pipe, bytes.data(), bytes.size()) < 0) std::this_thread::yield();
+  });
+  writer.drain();  // a pipe cannot be handed to a disk: what is tried again makes a file
+  is_done = true;
+  reader.join();
+  close(pipe);
+  EXPECT_EQ(writer.backlog().writes, 0u);
+  EXPECT_EQ(readQuietly(path).submaps.size(), 2u);
 }
 
 TEST(SessionWriter, AFolderWithResultsOrInUseIsRefused) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -31,6 +32,12 @@ struct SessionTarget {
       nullptr;  ///< what the session goes on from; null: nothing
 };
 
+/// What a disk has not taken yet: it is full, or slow.
+struct WriterBacklog {
+  std::size_t writes = 0;
+  double seconds = 0.0;  ///< that the oldest of them has waited
+};
+
 /// Writes a session while it is driven, in a thread of its own, in the order in which it is told.
 /// What cannot be written waits, and is tried again with whatever comes next: nobody else has to
 /// care. Costs what is new, never what has been.
@@ -57,6 +64,8 @@ class SessionWriter {
 
   /// Why something waits to be written; empty: nothing does. Thread-safe.
   std::string problem() const;
+  /// Thread-safe.
+  WriterBacklog backlog() const;
   /// A log has been removed, with all that was in it. Thread-safe.
   bool lost() const { return lost_; }
 
@@ -78,8 +87,9 @@ class SessionWriter {
   SessionTarget target_;
   SessionInfo info_;
 
-  mutable std::mutex mutex_;  // guards the next one
+  mutable std::mutex mutex_;  // guards the next two
   std::string problem_;
+  std::deque<std::chrono::steady_clock::time_point> posted_;  // when what waits was
   std::atomic<bool> lost_{false};
 
   // Of the thread.

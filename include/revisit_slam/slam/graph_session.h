@@ -94,6 +94,8 @@ class GraphSession {
   const std::string& folder() const { return log_.folder(); }
   /// Why something waits to be written; empty: nothing does.
   std::string problem() const { return log_.problem(); }
+  /// What the disk has not taken yet.
+  WriterBacklog backlog() const { return log_.backlog(); }
   /// Whether every scan is in a submap that is closed.
   bool isWhole() const { return log_.isWhole(); }
 

@@ -57,6 +57,7 @@ class SessionLog {
   bool isWritten() const { return writer_ != nullptr; }
   /// Why something waits to be written; empty: nothing does.
   std::string problem() const { return writer_ ? writer_->problem() : ""; }
+  WriterBacklog backlog() const { return writer_ ? writer_->backlog() : WriterBacklog{}; }
   /// Whether every scan is in a submap that is closed.
   bool isWhole() const { return logged_scans_ == graph_.size(); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/graph_status.h"
 
+#include <cmath>
+
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/util/process_usage.h"
 
@@ -16,6 +18,7 @@ void GraphStatus::note(const GraphSession& session) {
   count_ = session.count();
   folder_ = session.folder();
   problem_ = session.problem();
+  backlog_ = session.backlog();
   if (count_.optimisations > 0) return;  // else a session that has just begun
   version_ = 0;
   told_rejections_ = 0;
@@ -35,6 +38,7 @@ void GraphStatus::noteCorrection(const MapCorrection& correction) {
 
 void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& status) {
   constexpr std::size_t most_waiting = 200;  // 20 s of scans
+  constexpr double slow_disk = 5.0;          // s
   const std::lock_guard<std::mutex> lock(mutex_);
   status.level = status.OK;
   status.message = "running";
@@ -51,6 +55,13 @@ void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& s
     status.message = "falling behind, " + std::to_string(waiting) +
                      " tasks wait: nothing is lost, but corrections come late; give the graph more "
                      "threads (backend/threads)";
+  }
+  if (backlog_.seconds > slow_disk) {
+    status.level = status.WARN;
+    status.message = "the disk is slow, " + std::to_string(backlog_.writes) +
+                     " writes wait, the oldest for " +
+                     std::to_string(std::lround(backlog_.seconds)) +
+                     " s: nothing is lost, but they are in memory; put the folder on another disk";
   }
   if (!problem_.empty()) {
     status.level = status.ERROR;
@@ -74,6 +85,7 @@ void GraphStatus::tell(std::size_t waiting, diagnostic_msgs::DiagnosticStatus& s
              std::to_string(georeference_->yaw_deviation), status);
   }
   addValue("waiting", std::to_string(waiting), status);
+  addValue("waiting for the disk", std::to_string(backlog_.writes), status);
   addValue("memory (MB)", std::to_string(memoryMegabytes()), status);
   addValue("folder", folder_, status);
 }

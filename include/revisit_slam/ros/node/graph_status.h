@@ -33,6 +33,7 @@ class GraphStatus {
   double moved_end_ = 0.0;  // m
   std::optional<Georeference> georeference_;
   std::string folder_, problem_;
+  WriterBacklog backlog_;
 };
 
 }  // namespace revisit_slam
