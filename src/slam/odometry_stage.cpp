@@ -66,18 +66,30 @@ std::vector<OdometryStage::Result> OdometryStage::process(ScanReading reading) {
       reading.scan && reading.scan->T_base_sensor.translation.norm() > kLongestLever;
   const bool is_merged = merger_.merges() && reading.scan && !is_misplaced;
   if (!is_merged) ++account_.received;  // of several sensors the sweeps count
+  std::vector<Result> results;
+  try {
+    take(std::move(reading), is_merged, is_misplaced, results);
+  } catch (const std::exception& error) {  // no memory: it has not come as far as registerNext
+    if (is_merged) ++account_.received;
+    results.push_back(reject("error", error.what()));
+  }
+  return results;
+}
+
+void OdometryStage::take(ScanReading reading, bool is_merged, bool is_misplaced,
+                         std::vector<Result>& results) {
   account_.points_received += reading.counts.received;
   account_.points_dropped["not finite"] += reading.counts.not_finite;
   account_.points_dropped["at the sensor's origin"] += reading.counts.at_origin;
   account_.points_dropped["without time"] += reading.counts.no_time;
-  if (!reading.scan) return {reject(describe(reading.rejection), reading.detail)};
-  if (is_misplaced) return {reject("wrong transform", describeLever(reading))};
-  std::vector<Result> results;
-  if (is_merged)
+  if (!reading.scan)
+    results.push_back(reject(describe(reading.rejection), reading.detail));
+  else if (is_misplaced)
+    results.push_back(reject("wrong transform", describeLever(reading)));
+  else if (is_merged)
     process(merger_.take(std::move(reading)), results);
   else
     process(assembler_.take(std::move(reading)), results);
-  return results;
 }
 
 std::vector<OdometryStage::Result> OdometryStage::takeMotion(const MotionReading& reading) {
@@ -136,7 +148,7 @@ void OdometryStage::process(std::vector<StampGate::Decision> decisions,
 }
 
 void OdometryStage::release(bool all, std::vector<Result>& results) {
-  while (!waiting_.empty() && mayGoOn(all)) results.push_back(registerNext());
+  while (!waiting_.empty() && mayGoOn(all)) registerNext(results);
 }
 
 /// Whether the first scan that waits has all measured motion that it may expect.
@@ -151,12 +163,13 @@ bool OdometryStage::mayGoOn(bool all) {
   return true;
 }
 
-OdometryStage::Result OdometryStage::registerNext() {
+void OdometryStage::registerNext(std::vector<Result>& results) {
   StampGate::Decision decision = std::move(waiting_.front());
   waiting_.pop_front();
   if (decision.went_back) beginSession();
   Result result;
   try {
+    results.reserve(results.size() + 1);
     result = registerScan(std::move(decision.reading));
   } catch (const std::exception& error) {  // those before it are registered, and go on
     result = reject("error", error.what());
@@ -169,7 +182,7 @@ OdometryStage::Result OdometryStage::registerNext() {
     putFirst("the stamps went back by " + std::to_string(*decision.went_back) +
                  " s: a new session begins",
              result.notice);
-  return result;
+  results.push_back(std::move(result));
 }
 
 OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
@@ -189,32 +202,34 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
   account_.points_dropped["too far"] += aligned.too_far;
   if (aligned.on_body > 0) account_.points_dropped["on the body"] += aligned.on_body;
   if (!aligned.scan) return reject(toString(aligned.outcome));
-  ++account_.processed;
   aligned.scan->sensor_frame = std::move(reading.frame_id);
   if (aligned.scan->voxel_size != voxel_size_) result.notice = describeVoxels(*aligned.scan);
   voxel_size_ = aligned.scan->voxel_size;
   const std::string tilt = tilt_check_.take(*aligned.scan);
   if (!tilt.empty()) putFirst(tilt, result.notice);
-  nameScan(*aligned.scan);
-  aligned.scan->goes_on_from = std::exchange(prior_, nullptr);
-  result.output.scan = std::make_shared<const RegisteredScan>(std::move(*aligned.scan));
+  const auto scan = std::make_shared<RegisteredScan>(std::move(*aligned.scan));
+  const bool is_at_rest = nameScan(*scan);
+  // Nothing from here on can fail: the numbers of scans have no gaps.
+  scan->goes_on_from = std::exchange(prior_, nullptr);
+  ++account_.processed;
+  account_.at_rest += is_at_rest ? 1 : 0;
+  ids_ += is_at_rest ? 0 : 1;
+  result.output.scan = scan;
   return result;
 }
 
-/// Scans at rest add nothing to the graph: what is due goes with the next that does.
-void OdometryStage::nameScan(RegisteredScan& scan) {
+/// Scans at rest have the number of the last one that counts, and add nothing to the graph: what is
+/// due goes with the next that does. @return whether this one is at rest.
+bool OdometryStage::nameScan(RegisteredScan& scan) {
   const bool is_repeated = rest_.repeats(scan.stamp, scan.T_odom_base);
-  if (is_repeated)
-    ++account_.at_rest;
-  else
-    ++ids_;
-  scan.id = {ids_ - 1, session_};
+  scan.id = {is_repeated ? ids_ - 1 : ids_, session_};
   gnss_.observe(scan.id, scan.stamp, scan.T_odom_base);
   if (const auto direction = gravity_.observe(scan.id, scan.stamp, scan.T_odom_base))
     direction_due_ = direction;
-  if (is_repeated) return;
+  if (is_repeated) return true;
   scan.fixes = gnss_.due();
   scan.gravity = std::exchange(direction_due_, std::nullopt);
+  return false;
 }
 
 std::shared_ptr<const RegistrationProblem> OdometryStage::gather(const RegisteredScan& scan) const {

@@ -88,16 +88,17 @@ class OdometryStage {
   bool doubtsTimes() const { return assembler_.doubtsTimes(); }
 
  private:
+  void take(ScanReading reading, bool is_merged, bool is_misplaced, std::vector<Result>& results);
   void process(std::vector<SweepAssembler::Sweep> sweeps, std::vector<Result>& results);
   void process(std::vector<ScanReading> merged, std::vector<Result>& results);
   void process(std::vector<StampGate::Decision> decisions, std::vector<Result>& results);
   void release(bool all, std::vector<Result>& results);
   bool mayGoOn(bool all);
-  Result registerNext();
+  void registerNext(std::vector<Result>& results);
   Odometry makeOdometry();
   Result registerScan(ScanReading reading);
   void beginSession();
-  void nameScan(RegisteredScan& scan);
+  bool nameScan(RegisteredScan& scan);
   Result reject(const std::string& reason, const std::string& detail = "");
   std::shared_ptr<const RegistrationProblem> gather(const RegisteredScan& scan) const;
 
