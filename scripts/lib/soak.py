@@ -286,9 +286,9 @@ class Soak:
         rospy.ServiceProxy("/back_end/disable_loop", DisableLoop)(loop=self.random.randint(0, 50))
 
     def parameters(self) -> None:
-        config = Config(doubles=[DoubleParameter("max_range", self.random.choice([-1.0, 1e9, float("nan")]))])
-        config.doubles.append(DoubleParameter("max_range", 100.0))
-        rospy.ServiceProxy("/odometry/odometry/set_parameters", Reconfigure)(config)
+        reconfigure = rospy.ServiceProxy("/odometry/odometry/set_parameters", Reconfigure)
+        for value in (self.random.choice([-1.0, 1e9, float("nan")]), 100.0):
+            reconfigure(Config(doubles=[DoubleParameter("max_range", value)]))
 
     def remove(self) -> None:
         """The folder of the session that runs is removed; what is in memory is written anew."""
