@@ -378,7 +378,7 @@ class Soak:
 
     def report(self) -> int:
         quarter = max(1, len(self.p99s) // 4)
-        first, last = numpy.median(self.p99s[:quarter]), numpy.median(self.p99s[-quarter:])
+        first, last = (numpy.median(p99s or [0.0]) for p99s in (self.p99s[:quarter], self.p99s[-quarter:]))
         broken = self.counts["sessions broken"]
         print(f"hours of the drive    {self.drive.hours:.2f}")
         print(f"scans                 {self.counts['scans sent']} sent, {self.state()}")
@@ -421,6 +421,10 @@ def main() -> None:
     soak = Soak(arguments)
     try:
         status = soak.run()
+    except (KeyboardInterrupt, SystemExit):
+        print("interrupted:", flush=True)
+        soak.report()
+        raise
     finally:
         soak.stop()
     sys.exit(status)

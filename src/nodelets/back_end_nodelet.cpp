@@ -56,7 +56,7 @@ class BackEndNodelet : public SlamNodelet {
         [this](SessionId session, Stamp start) {
           return liveTargets(config_.live, "frame " + sensor_frame_)(session, start);
         });
-    lane_ = makeLane(config_.background.niceness);
+    lane_ = makeLane("graph", config_.background.niceness);
     lane_->post([this] { startDisplay(); });
     services_ = std::make_unique<GraphServices>(
         getPrivateNodeHandle(), config_.live,

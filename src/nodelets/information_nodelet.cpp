@@ -36,7 +36,7 @@ class InformationNodelet : public SlamNodelet {
     odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odometry", 100);
     verdicts_ = std::make_unique<VerdictReport>(node);
     markers_publisher_ = node.advertise<visualization_msgs::MarkerArray>("weak_directions", 2);
-    lane_ = makeLane(0);
+    lane_ = makeLane("information", 0);
     live_parameters_ = std::make_unique<LiveParameters<LiveInformationConfig, InformationConfig>>(
         getPrivateNodeHandle(), "information", config_.information,
         [this](const InformationConfig& config) {

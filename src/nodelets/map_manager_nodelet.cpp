@@ -37,8 +37,8 @@ class MapManagerNodelet : public SlamNodelet {
     ros::NodeHandle& node = getNodeHandle();
     closures_publisher_ = node.advertise<LoopClosures>("loop_constraints", 100);
     closed_publisher_ = node.advertise<MapsClosed>("maps_closed", 100);
-    building_ = makeLane(config_.background.niceness);
-    searching_ = makeLane(config_.background.niceness);
+    building_ = makeLane("maps", config_.background.niceness);
+    searching_ = makeLane("loops", config_.background.niceness);
     stage_ = std::make_unique<MapManager>(config_, *building_, *searching_, outputs());
     searching_->post([this] {
       display_ = std::make_unique<MapDisplay>(

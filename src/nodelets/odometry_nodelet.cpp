@@ -69,6 +69,7 @@ class OdometryNodelet : public SlamNodelet {
         config_.live.queue_size,
         [this](const Message& message) { guarded([&] { handle(message); }); },
         [this] { onQueueFull(); });
+    watchLoad("busy with odometry", [this] { return queue_->busySeconds(); });
     motions_->subscribe(node, [this] {
       if (queue_->waiting() == 0) queue_->push(Motion{});
     });

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <future>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace revisit_slam {
@@ -48,6 +50,16 @@ TEST(ThreadLane, reportsWhatATaskThrowsAndGoesOn) {
   lane.drain();
   EXPECT_EQ(problem, "disk full");
   EXPECT_EQ(done, (std::vector<int>{1, 2}));
+}
+
+TEST(ThreadLane, tellsHowLongItWasBusy) {
+  ThreadLane lane(0, [](std::exception_ptr) { FAIL(); });
+  lane.drain();
+  const double before = lane.busySeconds();
+  for (int i = 0; i < 2; ++i)
+    lane.post([] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); });
+  lane.drain();
+  EXPECT_GE(lane.busySeconds() - before, 0.04);
 }
 
 TEST(ThreadLane, aTaskMayPostThoughTheLaneIsFull) {

@@ -59,6 +59,7 @@ class ThreadLane final : public Lane {
   void drain() override { queue_.drain(); }
   void discard() override { discarding_ = true; }
   std::size_t waiting() const override { return queue_.waiting(); }
+  double busySeconds() const { return queue_.busySeconds(); }
 
   /// Ends after the task at hand; what waits is left.
   void stop() { queue_.stop(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -74,6 +75,13 @@ class WorkQueue {
     return items_.size();
   }
 
+  /// That work has taken so far. Seconds.
+  double busySeconds() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::chrono::duration<double>(working_ ? busy_ + (Clock::now() - since_) : busy_)
+        .count();
+  }
+
   /// The item that waits and came last.
   std::optional<Item> newest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -87,6 +95,8 @@ class WorkQueue {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void run() {
     for (std::unique_lock<std::mutex> lock(mutex_);;) {
       changed_.wait(lock, [this] { return stopping_ || !items_.empty(); });
@@ -94,11 +104,13 @@ class WorkQueue {
       Item item = std::move(items_.front());
       items_.pop_front();
       working_ = true;
+      since_ = Clock::now();
       lock.unlock();
       changed_.notify_all();
       work_(std::move(item));
       lock.lock();
       working_ = false;
+      busy_ += Clock::now() - since_;
       if (items_.empty()) changed_.notify_all();
     }
   }
@@ -109,9 +121,11 @@ class WorkQueue {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Item> items_;  // guarded by mutex_
-  bool working_ = false;    // guarded by mutex_
-  bool stopping_ = false;   // guarded by mutex_
+  std::deque<Item> items_;   // guarded by mutex_
+  bool working_ = false;     // guarded by mutex_
+  bool stopping_ = false;    // guarded by mutex_
+  Clock::time_point since_;  // it works, guarded by mutex_
+  Clock::duration busy_{0};  // before, guarded by mutex_
 
   std::thread thread_;  // last: it uses all of the above
 };

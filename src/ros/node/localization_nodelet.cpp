@@ -32,7 +32,7 @@ void LocalizationNodelet::start() {
     throw ParameterError("localization/map = '" + config_.localization.map + "': " + error.what());
   }
   broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
-  lane_ = makeLane(config_.background.niceness);
+  lane_ = makeLane("localization", config_.background.niceness);
   ros::NodeHandle& node = getNodeHandle();
   transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
                                           [this](const auto&) { broadcaster_->broadcast(); });

@@ -3,8 +3,12 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include <cmath>
+#include <utility>
+
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/parameter_server.h"
+#include "revisit_slam/util/process_usage.h"
 
 namespace revisit_slam {
 
@@ -13,6 +17,7 @@ void SlamNodelet::onInit() {
     config_ = loadConfig<SlamConfig>(getPrivateNodeHandle());
     config_.frames.dropLeadingSlashes();
     start();
+    watchLoad("CPU of the process", processCpuSeconds);
   } catch (const ParameterError& error) {
     NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
     throw;
@@ -24,10 +29,16 @@ void SlamNodelet::onInit() {
                            [this](const auto&) { guarded([this] { publishDiagnostics(); }); });
 }
 
-std::unique_ptr<ThreadLane> SlamNodelet::makeLane(int niceness) {
-  return std::make_unique<ThreadLane>(niceness, [this](std::exception_ptr error) {
+std::unique_ptr<ThreadLane> SlamNodelet::makeLane(const std::string& work, int niceness) {
+  auto lane = std::make_unique<ThreadLane>(niceness, [this](std::exception_ptr error) {
     guarded([&] { std::rethrow_exception(error); });
   });
+  watchLoad("busy with " + work, [lane = lane.get()] { return lane->busySeconds(); });
+  return lane;
+}
+
+void SlamNodelet::watchLoad(const std::string& work, std::function<double()> busy_seconds) {
+  loads_.push_back({work, std::move(busy_seconds), {}});
 }
 
 void SlamNodelet::noteError(const std::string& error) {
@@ -43,8 +54,16 @@ void SlamNodelet::publishDiagnostics() {
   array.status.resize(1);
   array.status[0].name = getName() + ": " + part_;
   diagnose(array.status[0]);
+  tellLoads(array.status[0]);
   tellErrors(array.status[0]);
   diagnostics_publisher_.publish(array);
+}
+
+void SlamNodelet::tellLoads(diagnostic_msgs::DiagnosticStatus& status) {
+  for (Load& load : loads_) {
+    const double percent = 100.0 * load.share.look(load.busy_seconds());
+    addValue(load.work + " (%)", std::to_string(std::lround(percent)), status);
+  }
 }
 
 void SlamNodelet::tellErrors(diagnostic_msgs::DiagnosticStatus& status) {

@@ -17,6 +17,9 @@ TEST_F(FullQueue, everyScanThatFindsNoRoomIsCounted) {
   // One in work, one waiting; whether the first was taken out in time is the system's business.
   ASSERT_TRUE(becomesTrue([this] { return listener_.diagnosed("scans received") >= 28; }));
 
+  EXPECT_TRUE(becomesTrue(  // as it waits for the transform
+      [this] { return listener_.diagnosed("busy with odometry (%)") >= 90; }));
+
   tf2_ros::StaticTransformBroadcaster broadcaster;
   geometry_msgs::TransformStamped mounting;
   mounting.header.frame_id = "slow_robot";
@@ -29,6 +32,8 @@ TEST_F(FullQueue, everyScanThatFindsNoRoomIsCounted) {
   EXPECT_TRUE(becomesTrue([this] {
     return listener_.diagnosed("scans processed") + listener_.drops()["queue full"] == 30;
   }));
+  EXPECT_TRUE(becomesTrue([this] { return listener_.diagnosed("busy with odometry (%)") <= 10; }));
+  EXPECT_GT(listener_.diagnosed("CPU of the process (%)"), 0);
   const int processed = listener_.diagnosed("scans processed");
   EXPECT_GE(processed, 1);
   EXPECT_LE(processed, 2);

@@ -5,11 +5,14 @@
 #include <nodelet/nodelet.h>
 #include <ros/node_handle.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "revisit_slam/slam/slam_config.h"
+#include "revisit_slam/util/busy_share.h"
 #include "revisit_slam/util/lane.h"
 
 namespace revisit_slam {
@@ -27,9 +30,12 @@ class SlamNodelet : public nodelet::Nodelet {
   /// First thing in destructors: nothing may call into an object while its parts go.
   void stopDiagnostics() { diagnostics_timer_.stop(); }
 
-  /// A thread for the work of the stage. What that throws is reported and counted, and the stage
-  /// goes on.
-  std::unique_ptr<ThreadLane> makeLane(int niceness);
+  /// A thread for work of the stage, with its load in the diagnostics. What the work throws is
+  /// reported and counted, and the stage goes on.
+  std::unique_ptr<ThreadLane> makeLane(const std::string& work, int niceness);
+  /// Puts the load by that work into the diagnostics: `busy_seconds` tells how long it has taken so
+  /// far, until stopDiagnostics().
+  void watchLoad(const std::string& work, std::function<double()> busy_seconds);
   /// For diagnostics, where it is told once. Thread-safe.
   void noteError(const std::string& error);
 
@@ -51,11 +57,19 @@ class SlamNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
   void publishDiagnostics();
+  void tellLoads(diagnostic_msgs::DiagnosticStatus& status);
   void tellErrors(diagnostic_msgs::DiagnosticStatus& status);
 
   const std::string part_;
   ros::Publisher diagnostics_publisher_;
   ros::WallTimer diagnostics_timer_;
+
+  struct Load {
+    std::string work;
+    std::function<double()> busy_seconds;
+    BusyShare share;
+  };
+  std::vector<Load> loads_;
 
   std::mutex errors_mutex_;  // guards the next two
   std::size_t errors_ = 0;
