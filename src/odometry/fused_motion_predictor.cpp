@@ -21,6 +21,8 @@ constexpr double kMostDistrust = 100.0;
 
 /// s: a turning body is taken as turning evenly for so long.
 constexpr double kSweepStep = 0.02;
+/// s: no sweep takes longer, whatever the pause before it.
+constexpr double kLongestSweep = 2.0;
 
 Matrix6 symmetric(const Matrix6& matrix) {
   return 0.5 * (matrix + matrix.transpose());
@@ -42,10 +44,13 @@ RegistrationEvidence evidenceOf(const Matrix6& information, const PredictedMotio
   return {information, (information + predicted.information).inverse() * information};
 }
 
-/// A Kalman update of the covariance P by a measurement. @return the gain.
+/// A Kalman update of the covariance P by a measurement, in Joseph's form: after a long pause P is
+/// so much larger than the measurement's that a difference of both would have no digit left.
+/// @return the gain.
 Matrix6 update(const Matrix6& covariance, Matrix6& P) {
-  Matrix6 gain = P * (P + covariance).inverse();
-  P = symmetric(P - gain * P);
+  const Matrix6 gain = P * (P + covariance).inverse();
+  const Matrix6 rest = Matrix6::Identity() - gain;
+  P = symmetric(rest * P * rest.transpose() + gain * covariance * gain.transpose());
   return gain;
 }
 
@@ -108,7 +113,7 @@ FusedMotionPredictor::Fusion FusedMotionPredictor::fuse(Stamp stamp) const {
 SweepMotion FusedMotionPredictor::sweepOf(const Fusion& fusion, Stamp stamp) const {
   const PredictedMotion& predicted = fusion.predicted;
   std::vector<Pose> T_stamp_base;
-  const long steps = std::lround(predicted.seconds / kSweepStep);
+  const long steps = std::lround(std::min(predicted.seconds, kLongestSweep) / kSweepStep);
   for (long step = 1; step <= steps; ++step) {
     const double seconds = kSweepStep * static_cast<double>(step);
     T_stamp_base.push_back(predicted.velocity.after(-seconds) *

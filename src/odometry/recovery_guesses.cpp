@@ -10,6 +10,8 @@ namespace {
 constexpr double kWays[] = {1.0, 0.5, 0.0, 1.5};
 /// A shorter way lies within the basin of ICP, m.
 constexpr double kBasin = 2.0;
+/// After a pause of days no motion was steady, m.
+constexpr double kFarthest = 1000.0;
 constexpr double kTurns[] = {0.0, 0.26, -0.26, 0.52, -0.52, 0.79, -0.79};  // rad
 
 }  // namespace
@@ -18,6 +20,7 @@ std::vector<Pose> recoveryGuesses(const PredictedMotion& predicted) {
   std::vector<Pose> guesses;
   const double way = predicted.velocity.velocity().head<3>().norm() * predicted.seconds;
   for (const double share : kWays) {
+    if (share * way > kFarthest) continue;
     const Pose moved = predicted.velocity.after(share * predicted.seconds);
     for (const double turn : kTurns)
       guesses.push_back(moved * Pose{expSO3({0.0, 0.0, turn}), Eigen::Vector3d::Zero()});

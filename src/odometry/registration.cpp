@@ -146,6 +146,10 @@ RegistrationResult Registration::align(const Points& points_base,
         weighed(predicted, !sweep_fractions.empty(), limit, config_);
     const Tangent step = takeStep(equations, source, prediction, config_, result);
     ++result.iterations;
+    if (!step.allFinite()) {
+      stayAt(predicted.T_odom_base, result);
+      break;
+    }
     if (sigma.hasConverged(step.norm())) {
       result.outcome = RegistrationOutcome::converged;
       break;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "support/measured_motion.h"
 
 namespace revisit_slam {
@@ -47,6 +49,16 @@ class Vehicle {
     pose_ = boxplus(pose_, 0.1 * ahead(speed));
     predictor_->observe(stamp(), pose_, information_);
     return predicted;
+  }
+
+  /// No scans for a while, and wheels that go on.
+  void pause(double seconds, double speed) {
+    for (int i = 0; i < static_cast<int>(10.0 * seconds); ++i) {
+      ++scan_;
+      wheels_ = boxplus(wheels_, 0.1 * ahead(speed));
+      pose_ = boxplus(pose_, 0.1 * ahead(speed));
+      tell();
+    }
   }
 
   void loseTrack() { predictor_->forget(); }
@@ -145,6 +157,23 @@ TEST(FusedMotionPredictor, FollowsWheelsOfAnotherDiameterOnceItKnowsThat) {
   for (int i = 0; i < 600; ++i) vehicle.go(10.0, 10.1);
   EXPECT_NEAR(vehicle.account().scale.value(), 10.0 / 10.1, 0.001);
   EXPECT_NEAR(vehicle.go(10.0, 10.1).T_previous_base.translation.x(), 1.0, 0.002);
+}
+
+TEST(FusedMotionPredictor, AfterAPauseOfMinutesWheelsAreWeighedByTheirOwnError) {
+  Vehicle vehicle(0.01);
+  for (int i = 0; i < 30; ++i) vehicle.go(10.0, 10.0);
+  vehicle.pause(600.0, 10.0);
+  const PredictedMotion predicted = vehicle.go(10.0, 10.0);
+  ASSERT_TRUE(predicted.is_measured);
+  EXPECT_NEAR(predicted.T_previous_base.translation.x(), 6001.0, 60.0);
+  for (const Matrix6& information :
+       {predicted.information, predicted.covariance->inverse().eval()}) {
+    ASSERT_TRUE(information.allFinite());
+    const Eigen::SelfAdjointEigenSolver<Matrix6> along_axes(information);
+    EXPECT_GT(along_axes.eigenvalues().minCoeff(), 0.0);
+    EXPECT_LT(along_axes.eigenvalues().maxCoeff(), 1e9);
+  }
+  ASSERT_TRUE(predicted.sweep);
 }
 
 /// A registration that tells nothing cannot contradict.
