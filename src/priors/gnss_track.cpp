@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/priors/gnss_track.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -12,6 +13,14 @@ namespace {
 
 constexpr double kLongestGap = 1.0;         // s, between scans over which is interpolated
 constexpr std::size_t kMostWaiting = 3000;  // a minute at 50 Hz: scans have stopped
+
+/// Some drivers fill all entries with one number: nothing can be weighed with that.
+bool isCovariance(const Eigen::Matrix3d& matrix) {
+  constexpr double least_share = 1e-6;  // of the smallest variance, along any axis
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> along_axes(matrix, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& variances = along_axes.eigenvalues();
+  return variances.minCoeff() > least_share * variances.maxCoeff();
+}
 
 Pose interpolated(const Pose& from, const Pose& to, double share) {
   return boxplus(from, share * log(from.inverse() * to));
@@ -30,6 +39,8 @@ void GnssTrack::take(GnssReading reading) {
   if (place != waiting_.end() && place->stamp == reading.stamp) return drop("duplicate stamp");
   const double variance = config_.min_deviation * config_.min_deviation;
   reading.covariance_enu.diagonal() = reading.covariance_enu.diagonal().cwiseMax(variance);
+  if (!isCovariance(reading.covariance_enu))
+    reading.covariance_enu = Eigen::Matrix3d(reading.covariance_enu.diagonal().asDiagonal());
   waiting_.insert(place, std::move(reading));
   if (waiting_.size() <= kMostWaiting) return;
   waiting_.pop_front();

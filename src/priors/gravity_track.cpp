@@ -11,6 +11,7 @@ namespace {
 constexpr double kGravity = 9.81;             // m/s^2
 constexpr double kLargestError = 0.5;         // m/s^2: gravity itself varies by 0.03, biases by 0.2
 constexpr double kLongestGap = 0.5;           // s, between scans over which is interpolated
+constexpr double kClock = 1.0;                // s: what is older is of a clock that was set back
 constexpr double kLongestSilence = 0.25;      // s, of the unit within a window
 constexpr std::size_t kMostWaiting = 30'000;  // half a minute of a fast unit: scans have stopped
 
@@ -18,7 +19,10 @@ constexpr std::size_t kMostWaiting = 30'000;  // half a minute of a fast unit: s
 
 void GravityTrack::take(const ImuReading& reading) {
   if (!config_.enabled || !reading.acceleration) return;
-  if (!readings_.empty() && reading.stamp <= readings_.back().stamp) return;
+  if (!readings_.empty() && reading.stamp <= readings_.back().stamp) {
+    if (secondsBetween(reading.stamp, readings_.back().stamp) < kClock) return;
+    readings_.clear();
+  }
   readings_.push_back(reading);
   if (readings_.size() > kMostWaiting) readings_.pop_front();
 }

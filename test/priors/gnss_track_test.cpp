@@ -53,6 +53,16 @@ TEST(GnssTrack, APositionIsTiedToTheScanBeforeItAlongTheOdometry) {
   EXPECT_EQ(track.account().used, 1u);
 }
 
+TEST(GnssTrack, OfACovarianceThatIsNoneTheVariancesAreTaken) {
+  GnssTrack track(connected());
+  GnssReading reading = readingAt(0.2);
+  reading.covariance_enu.setConstant(9.0);
+  track.take(reading);
+  const std::vector<GnssFix> fixes = drive(track, 0, 14);
+  ASSERT_EQ(fixes.size(), 1u);
+  EXPECT_EQ(fixes[0].covariance_enu, Eigen::Matrix3d(9.0 * Eigen::Matrix3d::Identity()));
+}
+
 TEST(GnssTrack, WhenAMessageComesWithinTheDelayMakesNoDifference) {
   GnssTrack early(connected()), late(connected());
   early.take(readingAt(0.5));

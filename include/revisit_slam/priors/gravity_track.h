@@ -29,7 +29,7 @@ class GravityTrack {
 
   static constexpr const char* kSensor = "gravity";
 
-  /// In order of stamps; older ones are ignored.
+  /// In order of stamps; one that is older by a second is of a clock that was set back.
   void take(const ImuReading& reading);
 
   /// A scan was registered; scans of a base that rests repeat an id. Stamps go on. Readings have to
