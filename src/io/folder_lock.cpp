@@ -18,13 +18,28 @@ std::string lockOf(const std::string& folder) {
   return folder + "/lock";
 }
 
+/// Whether this is the file of that name: the name may be gone, or that of another file.
+bool hasName(int file, const std::string& path) {
+  struct stat ours = {};
+  struct stat named = {};
+  return ::fstat(file, &ours) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         ours.st_ino == named.st_ino && ours.st_dev == named.st_dev;
+}
+
 }  // namespace
 
-FolderLock::FolderLock(const std::string& folder)
-    : path_(lockOf(folder)), file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (file_ < 0) throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
-  // Some network file systems cannot lock: there it goes without.
-  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+FolderLock::FolderLock(const std::string& folder) : path_(lockOf(folder)) {
+  bool is_held = true;
+  for (int attempt = 0; attempt < 10 && is_held; ++attempt) {
+    if (file_ >= 0) ::close(file_);
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0)
+      throw std::runtime_error("cannot write '" + path_ + "': " + std::strerror(errno));
+    // Some network file systems cannot lock: there it goes without.
+    is_held = ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    if (hasName(file_, path_)) break;  // else the one before removed it just then
+  }
+  if (is_held) {
     const std::string process = std::to_string(::getpid()) + "\n";
     if (::ftruncate(file_, 0) != 0 || ::write(file_, process.data(), process.size()) < 0) {
       // Who holds it is for people to read: the lock holds without.
@@ -38,11 +53,7 @@ FolderLock::FolderLock(const std::string& folder)
 }
 
 FolderLock::~FolderLock() {
-  struct stat ours = {};
-  struct stat named = {};  // another one may have been made where ours was removed
-  if (::fstat(file_, &ours) == 0 && ::stat(path_.c_str(), &named) == 0 &&
-      ours.st_ino == named.st_ino && ours.st_dev == named.st_dev)
-    ::unlink(path_.c_str());
+  if (hasName(file_, path_)) ::unlink(path_.c_str());
   ::close(file_);
 }
 

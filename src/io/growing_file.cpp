@@ -51,8 +51,15 @@ void GrowingFile::append(const std::string& bytes) {
   size_ += bytes.size();
 }
 
+/// What may not have reached the disk is cut off by the next append, which follows it anew.
 void GrowingFile::sync() {
-  if (::fdatasync(file_) != 0) fail();
+  if (::fdatasync(file_) == 0) {
+    synced_ = size_;
+    return;
+  }
+  size_ = synced_;
+  torn_ = true;
+  fail();
 }
 
 bool GrowingFile::removed() const {

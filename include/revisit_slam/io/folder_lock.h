@@ -18,7 +18,7 @@ class FolderLock {
 
  private:
   std::string path_;
-  int file_;
+  int file_ = -1;
 };
 
 /// Whether somebody holds the folder.

@@ -18,7 +18,8 @@ class GrowingFile {
   /// @throws std::runtime_error naming the file and the reason (disk full, file removed, …). The
   /// same piece may be appended again later.
   void append(const std::string& bytes);
-  /// Hands to the disk what was appended. @throws likewise.
+  /// Hands to the disk what was appended. @throws likewise; what was appended since the last time
+  /// does not count then, and may be appended again.
   void sync();
 
   /// Whether the file has been removed: what was in it is gone.
@@ -33,7 +34,7 @@ class GrowingFile {
 
   std::string path_;
   int file_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0, synced_ = 0;
   bool torn_ = false;  // there may be bytes behind size_
 };
 
