@@ -65,6 +65,13 @@ bool OccupancyMap::place(SubmapId id, SubmapOccupancyPtr occupancy, const Pose& 
   return true;
 }
 
+bool OccupancyMap::move(SubmapId id, const Pose& T_map_submap) {
+  const auto known = submaps_.find(id);
+  if (known == submaps_.end()) return false;
+  place(id, known->second.occupancy, T_map_submap);
+  return true;
+}
+
 void OccupancyMap::touch(const Placed& placed) {
   const std::vector<Voxel> reached = blocksReached(*placed.occupancy, placed.T_map_submap);
   touched_.insert(touched_.end(), reached.begin(), reached.end());

@@ -77,6 +77,11 @@ TEST(OccupancyMap, ComposesOnlyWhatASubmapThatMovedReaches) {
   EXPECT_LT(one, both);
 }
 
+TEST(OccupancyMap, KnowsWhichSubmapsAreInIt) {
+  OccupancyMap map{OccupancyConfig{}};
+  EXPECT_FALSE(map.move(SubmapId{3}, Pose::identity()));
+}
+
 TEST(OccupancyMap, RoundedPosesStayWithinTheStep) {
   // One voxel, 28 m from the keypose, lands within half a voxel of where it belongs.
   const SubmapOccupancyPtr submap = submapOf({{{55, 5, 0}, 1, 0}});

@@ -31,6 +31,8 @@ class OccupancyMap {
   /// @return whether it is new or its rounded pose another one than before.
   /// @throws std::invalid_argument for another resolution than the map's.
   bool place(SubmapId id, SubmapOccupancyPtr occupancy, const Pose& T_map_submap);
+  /// Puts a submap that is in the map where it belongs now. @return whether it is in the map.
+  bool move(SubmapId id, const Pose& T_map_submap);
 
   /// Brings the map up to date. @return the number of blocks composed.
   std::size_t compose();

@@ -68,8 +68,10 @@ void OccupancyDisplay::draw(const GraphSession& session) {
 void OccupancyDisplay::place(const GraphSession& session) {
   for (const SubmapPtr& submap : session.submaps()) {
     if (!session.has(submap->first_scan)) continue;
+    const Pose T_map_submap = session.graph().pose(submap->first_scan);
+    if (map_.move(submap->id, T_map_submap)) continue;  // what has been read once is not again
     if (const SubmapOccupancyPtr occupancy = session.occupancy(*submap))
-      map_.place(submap->id, occupancy, session.graph().pose(submap->first_scan));
+      map_.place(submap->id, occupancy, T_map_submap);
   }
   map_.compose();
 }
