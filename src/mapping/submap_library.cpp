@@ -77,19 +77,23 @@ SubmapPtr SubmapLibrary::light(SubmapId id) const {
 }
 
 SubmapPtr SubmapLibrary::whole(SubmapId id) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   Entry& entry = entries_.at(id);
   if (entry.whole) {
     if (entry.read) recent_.splice(recent_.begin(), recent_, entry.used);
     return entry.whole;
   }
   auto whole = std::make_shared<Submap>(*entry.light);
-  Submap stored = entry.read();
+  const Read read = entry.read;
+  lock.unlock();  // nobody waits for the disk who does not read
+  Submap stored = read();
   if (stored.id != id || stored.points.size() != stored.normals.size())
     throw std::runtime_error("the file of submap " + std::to_string(id.value) +
                              " is not the one that was written");
   whole->points = std::move(stored.points);
   whole->normals = std::move(stored.normals);
+  lock.lock();
+  if (entry.whole) return entry.whole;  // another thread was faster
   entry.whole = whole;
   use(id, entry);
   return whole;

@@ -60,6 +60,18 @@ TEST_F(SubmapLibraryTest, WhatIsOnDiskHasTheRoomThatIsStatedAndComesBack) {
   EXPECT_EQ(reads_, 1);
 }
 
+/// Else the stage that builds would wait for the disk.
+TEST_F(SubmapLibraryTest, OthersAreAddedWhileOneIsRead) {
+  addAll();
+  library_.noteStored({0}, [this] {
+    library_.add(submap(5), nullptr);
+    return *submap(0);
+  });
+  for (std::uint32_t id = 1; id < 5; ++id) store(id);
+  EXPECT_EQ(library_.whole({0})->points, submap(0)->points);
+  EXPECT_NE(library_.inMemory({5}), nullptr);
+}
+
 TEST_F(SubmapLibraryTest, TheLightOnesHaveEverythingButPoints) {
   addAll();
   const SubmapPtr light = library_.light({2});
