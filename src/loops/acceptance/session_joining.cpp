@@ -76,6 +76,8 @@ Agreement strongest(const std::vector<CrossLoop>& loops,
 
 LoopProposal SessionJoining::hold(LoopProposal proposal) {
   held_.push_back(proposal);
+  held_.back().registered.source.reset();  // their points would stay in memory
+  held_.back().registered.target.reset();
   proposal.verdict.gate = kGate;
   proposal.verdict.measurement = {1.0, Bound::at_least, static_cast<double>(config_.min_places),
                                   ""};
