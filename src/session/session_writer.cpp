@@ -96,8 +96,8 @@ void SessionWriter::begin() {
   const std::string& folder = target_.folder;
   makeFolder(folder);
   if (!target_.is_ours) requireUnused(folder);
-  if (!target_.lock) target_.lock = std::make_shared<FolderLock>(folder);
   target_.is_ours = true;
+  if (!target_.lock) target_.lock = std::make_shared<FolderLock>(folder);
   makeFolder(folder + "/submaps");
   makeFolder(folder + "/local_maps");
   writeSessionInfo(folder + "/session.yaml", info_);

@@ -40,6 +40,7 @@ SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor) {
   return [folder = live.folder, sensor](SessionId, Stamp start) {
     SessionTarget target;
     if (!folder.empty()) target.folder = freeName(nameOf(folder, start));
+    target.is_ours = true;  // the log of the drive may be in it before the session is
     target.sensor = sensor;
     return target;
   };

@@ -104,6 +104,21 @@ TEST(SessionWriter, AFolderWithResultsOrInUseIsRefused) {
   EXPECT_EQ(readQuietly(path).submaps.size(), StreetDrive::get().updates.size());
 }
 
+/// The log of the drive is written beside the session, by somebody else.
+TEST(SessionWriter, AFolderThatIsOursMayHoldWhatIsWrittenBeside) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  std::filesystem::create_directories(path);
+  folder.with("session/odometry.tum", "");
+  SessionTarget target{path, "", nullptr, false};
+  target.is_ours = true;
+  SessionWriter writer(target, someInfo(), 0);
+  add(writer, 0);
+  writer.drain();
+  EXPECT_EQ(writer.problem(), "");
+  EXPECT_EQ(readQuietly(path).submaps.size(), 1u);
+}
+
 TEST(SessionWriter, NoticesThatItsFolderWasRemoved) {
   const TemporaryFolder folder;
   const std::string path = folder.file("session");

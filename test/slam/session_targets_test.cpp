@@ -29,6 +29,13 @@ TEST(SessionTargets, AFolderIsMadeAndTriedOutWithoutATrace) {
   EXPECT_EQ(faultOf(""), "");
 }
 
+TEST(SessionTargets, WhatElseADriveWritesIntoItsFolderIsItsOwn) {
+  const TemporaryFolder folder;
+  LiveConfig live;
+  live.folder = folder.file("maps");
+  EXPECT_TRUE(liveTargets(live, "")(SessionId{1}, Stamp::fromSeconds(1.0)).is_ours);
+}
+
 TEST(SessionTargets, AFolderThatCannotBeWrittenIsRefusedWithTheReason) {
   for (const char* folder : {"/proc/maps", "/proc"}) {
     const std::string fault = faultOf(folder);
