@@ -15,6 +15,7 @@ ScanOrder BackEnd::add(const GraphNode& node, const KnownMapPtr& prior) {
   const ScanOrder order = order_.take(node.id);
   if (order == ScanOrder::missed || order == ScanOrder::repeated) return order;
   if (order == ScanOrder::first) startSession(node.id.session, node.stamp, prior);
+  if (!session_ || session_->id() != node.id.session) return ScanOrder::missed;  // it has failed
   session_->add(node);
   forgetEnded();
   return order;
@@ -43,6 +44,13 @@ void BackEnd::forgetEnded() {
 GraphSession* BackEnd::find(SessionId id) const {
   const auto entry = sessions_.find(id);
   return entry == sessions_.end() ? nullptr : entry->second.get();
+}
+
+std::vector<GraphSession*> BackEnd::sessions() {
+  std::vector<GraphSession*> sessions;
+  for (const auto& [id, session] : sessions_)
+    if (session.get() == session_ || ended_.count(id) == 0) sessions.push_back(session.get());
+  return sessions;
 }
 
 void BackEnd::add(const MapUpdatePtr& update) {

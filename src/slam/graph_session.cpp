@@ -48,18 +48,28 @@ void GraphSession::add(const MapUpdatePtr& update) {
 
 void GraphSession::add(const LoopClosures& closures) {
   after(closures.last_scan.value + 1, [this, closures] {
-    last_optimised_ = closures.last_scan;
-    const auto searched = std::find_if(unsearched_.begin(), unsearched_.end(),
-                                       [&](const auto& map) { return map->id == closures.map; });
-    if (searched != unsearched_.end()) {
-      log_.add(storedLocalMap(**searched, closures.view.get()));
-      unsearched_.erase(searched);
+    try {
+      take(closures);
+    } catch (...) {  // the map manager waits for an answer
+      if (closures.request != 0 && answered_ != closures.request)
+        on_correction_(unchangedMap(id_, closures.request));
+      throw;
     }
-    if (!closures.constraints.empty() || graph_.hasNewMeasurements(closures.last_scan))
-      optimise(closures.last_scan, closures.constraints, closures.request);
-    else if (closures.request != 0)
-      on_correction_(unchangedMap(id_, closures.request));
   });
+}
+
+void GraphSession::take(const LoopClosures& closures) {
+  last_optimised_ = closures.last_scan;
+  const auto searched = std::find_if(unsearched_.begin(), unsearched_.end(),
+                                     [&](const auto& map) { return map->id == closures.map; });
+  if (searched != unsearched_.end()) {
+    log_.add(storedLocalMap(**searched, closures.view.get()));
+    unsearched_.erase(searched);
+  }
+  if (!closures.constraints.empty() || graph_.hasNewMeasurements(closures.last_scan))
+    optimise(closures.last_scan, closures.constraints, closures.request);
+  else if (closures.request != 0)
+    on_correction_(unchangedMap(id_, closures.request));
 }
 
 void GraphSession::after(std::size_t scans, std::function<void()> work) {
@@ -82,7 +92,6 @@ void GraphSession::doWhatIsDue() {
   if (error) std::rethrow_exception(error);
 }
 
-/// Answers in any case: the map manager waits for it.
 void GraphSession::optimise(ScanId last, const std::vector<LoopConstraint>& loops,
                             std::uint32_t request, std::optional<LoopId> disabled) {
   std::exception_ptr error;
@@ -104,6 +113,7 @@ void GraphSession::answer(ScanId last, std::uint32_t request) {
   correction.version = ++version_;
   correction.request = request;
   on_correction_(std::make_shared<const MapCorrection>(std::move(correction)));
+  answered_ = request;
 }
 
 bool GraphSession::disable(LoopId id) {

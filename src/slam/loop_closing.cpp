@@ -87,7 +87,9 @@ void LoopClosing::guarded(const std::function<void()>& work) const {
 }
 
 void LoopClosing::begin(const LocalMapPtr& map) {
-  const LoopSearchResult result = detector_.searchByAppearance(map);
+  LoopSearchResult result;
+  result.map = map;  // which is passed on whatever happens: others keep it until then
+  guarded([&] { result = detector_.searchByAppearance(map); });
   const bool is_waiting = hand(result, [this] { searchAfterAnswer(); });
   if (!is_waiting) hand(detector_.searchLowDriftWindow(), [] {});
 }

@@ -84,6 +84,7 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   drive(0, 20);
   drive(0, 5, kSecond);
   EXPECT_EQ(back_end_.session()->id(), kSecond);
+  EXPECT_EQ(back_end_.sessions().size(), 2u);
   back_end_.add(closure(0, 19, 1));  // late, of the first
   ASSERT_EQ(corrections_.size(), 1u);
   EXPECT_EQ(corrections_.front()->session, kFirst);
@@ -91,11 +92,29 @@ TEST_F(BackEndTest, aNewSessionBeginsWithScanZeroAndTheOneBeforeIsFinished) {
   back_end_.add(MapsClosed{kFirst, 20, 0},
                 [&](GraphSession*, const std::string& problem) { answer = problem; });
   EXPECT_EQ(answer, "");
+  EXPECT_EQ(back_end_.sessions(), std::vector<GraphSession*>{back_end_.session()});
   back_end_.add(
       closure(0, 19, 2));  // it has ended: an answer all the same, as somebody waits for it
   ASSERT_EQ(corrections_.size(), 2u);
   EXPECT_EQ(corrections_.back()->version, 0u);
   EXPECT_EQ(corrections_.back()->request, 2u);
+}
+
+/// There is no memory for its first session, for example.
+TEST_F(BackEndTest, scansOfASessionThatCouldNotBeginAreOfNoUse) {
+  bool fails = true;
+  BackEnd back_end(
+      config_, [](const MapCorrectionPtr&) {},
+      [&fails](SessionId, Stamp) {
+        if (fails) throw std::bad_alloc();
+        return SessionTarget{};
+      });
+  EXPECT_THROW(back_end.add(node(0)), std::bad_alloc);
+  EXPECT_EQ(back_end.add(node(1)), ScanOrder::missed);
+  EXPECT_EQ(back_end.session(), nullptr);
+  fails = false;
+  EXPECT_EQ(back_end.add(node(0, kSecond)), ScanOrder::first);
+  EXPECT_EQ(back_end.add(node(1, kSecond)), ScanOrder::next);
 }
 
 TEST_F(BackEndTest, finishingWhenASessionHasBegunDoesNotEndTheOneBefore) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <thread>
+#include <utility>
 
 #include "revisit_slam/io/pcd.h"
 #include "session/session_fixtures.h"
@@ -94,6 +96,24 @@ TEST_F(GraphSessionTest, TheFolderOfAKilledProcessSaysWhatTheGraphSaid) {
   for (const char* name : {"map.pcd", "map.bt", "trajectory.tum", "pose_graph.g2o",
                            "loop_closures.csv", "submaps/submaps.csv", "submaps/000001.pcd"})
     EXPECT_TRUE(textOf(folder_.file("session/") + name) == textOf(copy + "/" + name)) << name;
+}
+
+/// The map manager searches for nothing until it is answered.
+TEST_F(GraphSessionTest, AnswersWhateverFails) {
+  std::vector<MapCorrectionPtr> answers;
+  bool fails = true;
+  GraphSession session({}, config_, drive_.nodes.front().stamp, {},
+                       [&](const MapCorrectionPtr& correction) {
+                         if (std::exchange(fails, false)) throw std::bad_alloc();
+                         answers.push_back(correction);
+                       });
+  play(session, 0, drive_.updates.size());
+  EXPECT_THROW(session.add(closures(7)), std::bad_alloc);
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_EQ(answers.front()->request, 7u);
+  session.add(closures(8));
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_EQ(answers.back()->request, 8u);
 }
 
 TEST_F(GraphSessionTest, SavingTwiceMakesTwoFolders) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "revisit_slam/slam/graph_session.h"
 #include "revisit_slam/slam/session_order.h"
@@ -44,6 +45,8 @@ class BackEnd {
   /// The one that runs; null before the first scan.
   GraphSession* session() { return session_; }
   const GraphSession* session() const { return session_; }
+  /// Likewise, and those before whose maps are not closed yet.
+  std::vector<GraphSession*> sessions();
 
  private:
   void startSession(SessionId id, Stamp start, const KnownMapPtr& prior);

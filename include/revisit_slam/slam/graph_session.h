@@ -102,6 +102,7 @@ class GraphSession {
  private:
   void optimise(ScanId last, const std::vector<LoopConstraint>& loops, std::uint32_t request,
                 std::optional<LoopId> disabled = {});
+  void take(const LoopClosures& closures);
   void answer(ScanId last, std::uint32_t request);
   void doWhatIsDue();
 
@@ -111,6 +112,7 @@ class GraphSession {
   const std::size_t scans_before_;  // of sessions that were mapped before
   const OnCorrection on_correction_;
   std::uint32_t version_ = 0;
+  std::uint32_t answered_ = 0;            // the last request that was
   std::optional<ScanId> last_optimised_;  // may also have come without loops
   OptimisationCount count_;
 
