@@ -5,6 +5,7 @@
 #include <boost/make_shared.hpp>
 #include <future>
 #include <map>
+#include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "revisit_slam/ros/node/georeference_topics.h"
@@ -37,10 +38,12 @@ class BackEndNodelet : public SlamNodelet {
     live_parameters_.reset();
     if (!lane_) return;
     lane_->post([this] {
-      if (stage_->session()) endUnasked(*stage_->session());
+      for (GraphSession* session : stage_->sessions()) endUnasked(*session);
     });
     lane_->drain();
     lane_->stop();
+    logging_->drain();
+    logging_->stop();
     display_.reset();
     occupancy_.reset();
   }
@@ -56,8 +59,13 @@ class BackEndNodelet : public SlamNodelet {
         [this](SessionId session, Stamp start) {
           return liveTargets(config_.live, "frame " + sensor_frame_)(session, start);
         });
+    logging_ = makeLane("log of scans", config_.background.niceness);
     lane_ = makeLane("graph", config_.background.niceness);
-    lane_->post([this] { startDisplay(); });
+    std::promise<void> started;
+    lane_->post([this, has_started = started.get_future().share()] {
+      has_started.wait();  // nothing is answered before there is a publisher
+      startDisplay();
+    });
     services_ = std::make_unique<GraphServices>(
         getPrivateNodeHandle(), config_.live,
         [this](const GraphServices::Work& work) { doInLane(work); },
@@ -72,6 +80,7 @@ class BackEndNodelet : public SlamNodelet {
     subscribe(node);
     correction_publisher_ =  // says that scans may come
         node.advertise<MapCorrection>("map_correction", 100);
+    started.set_value();
   }
 
   void subscribe(ros::NodeHandle& node) {
@@ -90,7 +99,7 @@ class BackEndNodelet : public SlamNodelet {
         });
     scan_subscriber_ = node.subscribe<InformedScan>(
         "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
-          broadcaster_->onScan(*informed->scan);
+          guarded([&] { broadcaster_->onScan(*informed->scan); });
           lane_->post([this, node = nodeOf(*informed), frame = informed->scan->sensor_frame,
                        prior = informed->scan->goes_on_from,
                        entry = entryOf(*informed, informed->times)] {
@@ -135,14 +144,19 @@ class BackEndNodelet : public SlamNodelet {
     return true;
   }
 
-  /// Of the session that scans come from: the one before may end later than that begins.
+  /// Of the session that scans come from: the one before may end later than that begins. The graph
+  /// does not wait for the disk.
   void log(const DriveLogEntry& entry) {
     const std::string& folder = stage_->session()->folder();
-    if (!folder.empty()) logs_.try_emplace(entry.scan.session, folder).first->second.add(entry);
+    if (folder.empty()) return;
+    logging_->post([this, entry, folder] {
+      logs_.try_emplace(entry.scan.session, folder).first->second.add(entry);
+    });
   }
 
   /// And no longer keeps those of sessions before.
   std::string save(GraphSession& session) {
+    logging_->drain();  // nobody else posts there
     const auto log = logs_.find(session.id());
     std::string problem = saveAll(session, log == logs_.end() ? nullptr : &log->second);
     logs_.erase(logs_.begin(), logs_.lower_bound(session.id()));
@@ -184,12 +198,12 @@ class BackEndNodelet : public SlamNodelet {
 
   /// Waits until the lane has done this. @throws what it throws.
   void doInLane(const GraphServices::Work& work) {
-    std::packaged_task<void()> task([&] {
+    const auto task = std::make_shared<std::packaged_task<void()>>([&] {
       work(stage_->session());
       draw();
     });
-    lane_->post([&task] { task(); });
-    task.get_future().get();
+    lane_->post([task] { (*task)(); });
+    task->get_future().get();
   }
 
   // In the threads of the node.
@@ -207,11 +221,12 @@ class BackEndNodelet : public SlamNodelet {
   std::string sensor_frame_;
   std::unique_ptr<GeoreferenceTopics> georeference_;
   std::unique_ptr<BackEnd> stage_;
-  std::map<SessionId, DriveLog> logs_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;
 
-  std::unique_ptr<ThreadLane> lane_;
+  std::map<SessionId, DriveLog> logs_;  // of the lane that logs
+
+  std::unique_ptr<ThreadLane> logging_, lane_;
   ros::Subscriber scan_subscriber_, maps_subscriber_, closures_subscriber_, closed_subscriber_;
   ros::WallTimer transform_timer_;
   std::unique_ptr<GraphServices> services_;

@@ -49,9 +49,18 @@ class InformationNodelet : public SlamNodelet {
         });
   }
 
+  /// Whatever happens: a scan that is missing would end the graph.
+  InformedScan inform(const OdometryOutput& odometry) {
+    try {
+      return stage_->inform(odometry, lane_->waiting());
+    } catch (const std::exception& error) {
+      noteError(error.what());
+      return stage_->inform(odometry, std::numeric_limits<std::size_t>::max());
+    }
+  }
+
   void handle(const OdometryOutput& odometry) {
-    const auto informed =
-        boost::make_shared<const InformedScan>(stage_->inform(odometry, lane_->waiting()));
+    const auto informed = boost::make_shared<const InformedScan>(inform(odometry));
     if (informed->source == InformationSource::repeated)
       NODELET_WARN_THROTTLE(5.0, "information falls behind: that of an earlier scan is repeated");
     verdicts_->take(*informed);

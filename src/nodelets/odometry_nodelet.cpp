@@ -82,7 +82,7 @@ class OdometryNodelet : public SlamNodelet {
 
   void handle(const Message& message) {
     countUncounted();
-    if (reset_requested_.exchange(false)) startSession();
+    startSessionIfAsked();
     if (!placement_->baseFrame().empty()) takeMotion();
     std::visit([this](const auto& what) { take(what); }, message);
   }
@@ -128,9 +128,11 @@ class OdometryNodelet : public SlamNodelet {
     return scan && placement_->knows(scan->frame());
   }
 
-  void startSession() {
-    placement_->restart();
+  /// What was asked for and with which map: both or neither.
+  void startSessionIfAsked() {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!reset_requested_.exchange(false)) return;
+    placement_->restart();
     stage_->startSession(std::exchange(next_map_, nullptr));
     numbers_.restart();
   }

@@ -3,7 +3,10 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <future>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -21,8 +24,8 @@ LocalizationNodelet::~LocalizationNodelet() {
   scan_subscriber_.shutdown();
   start_subscriber_.shutdown();
   if (loader_) loader_->stop();
-  map_publisher_.shutdown();
   if (lane_) lane_->stop();
+  map_publisher_.shutdown();
 }
 
 void LocalizationNodelet::start() {
@@ -34,8 +37,9 @@ void LocalizationNodelet::start() {
   broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
   lane_ = makeLane("localization", config_.background.niceness);
   ros::NodeHandle& node = getNodeHandle();
-  transform_timer_ = node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
-                                          [this](const auto&) { broadcaster_->broadcast(); });
+  transform_timer_ =
+      node.createWallTimer(ros::WallDuration(1.0 / config_.live.transform_rate),
+                           [this](const auto&) { guarded([this] { broadcaster_->broadcast(); }); });
   // In the lane, where the map is drawn: not before it has a publisher.
   lane_->post([&] {
     advertise(node);
@@ -65,9 +69,9 @@ void LocalizationNodelet::load(const std::string& folder, LoadMap::Response& res
   std::unique_ptr<LocalizationStage> stage = readMap(folder);
   response.submaps = static_cast<std::uint32_t>(stage->map().submaps.size());
   response.places = static_cast<std::uint32_t>(stage->map().places.size());
-  std::packaged_task<void()> task([&] { change(std::move(stage)); });
-  lane_->post([&task] { task(); });
-  task.get_future().get();
+  const auto task = std::make_shared<std::packaged_task<void()>>([&] { change(std::move(stage)); });
+  lane_->post([task] { (*task)(); });
+  task->get_future().get();
   response.message = "searching in it";
 }
 
@@ -173,6 +177,11 @@ void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
   addValue("overlap", std::to_string(last_.overlap), status);
   addValue("coherence", std::to_string(last_.coherence), status);
   addValue("matched submap", std::to_string(last_.target.value), status);
+  constexpr std::size_t most_waiting = 200;  // 20 s of scans
+  if (lane_->waiting() > most_waiting) {
+    status.level = std::max<std::int8_t>(status.level, status.WARN);
+    status.message += "; falling behind, " + std::to_string(lane_->waiting()) + " scans wait";
+  }
   addValue("scans waiting", std::to_string(lane_->waiting()), status);
 }
 

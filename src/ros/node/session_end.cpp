@@ -23,9 +23,13 @@ std::string saveAll(GraphSession& session, DriveLog* log) {
 
 void endUnasked(GraphSession& session) {
   if (session.folder().empty()) return;
-  session.writeRest();
-  if (session.isWhole()) return;
   // ROS no longer logs when a process is about to end.
+  try {
+    session.writeRest();
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+  }
+  if (session.isWhole()) return;
   std::cerr << "the map was not made; this makes it: rosrun revisit_slam export "
             << session.folder() << std::endl;
 }
