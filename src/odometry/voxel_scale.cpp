@@ -10,10 +10,10 @@ namespace {
 constexpr double kSmallest = 0.02;     ///< m
 constexpr double kFewestEdges = 10.0;  ///< that scans reach
 constexpr int kLowCeiling = 4;         ///< edges above the floor
-/// m above the floor. Foliage, furniture and the noise of points are level here and there, too, and
-/// the smaller the voxels, the more of them: without a limit, standing under a tree halved the edge
-/// down to 4 cm.
-constexpr double kLowestCeiling = 1.5;
+/// m above the floor, and of the reach. Foliage, furniture and the noise of points are level here
+/// and there, too, and the smaller the voxels, the more of them: without a limit, standing under a
+/// tree halved the edge down to 4 cm.
+constexpr double kLowestCeiling = 1.5, kLowestCeilingShare = 0.25;
 /// Of the level ground in the local map, under a low ceiling. First scans and local maps of garages
 /// with 16 to 32 beams have 0.05 to 0.19, those of streets up to 0.035 (what is under trees).
 constexpr double kCoveredShare = 0.05;
@@ -36,7 +36,8 @@ bool VoxelScale::shrink(const LocalVoxelMap& map) {
 
 /// `highest`: edges above the floor.
 bool VoxelScale::isUnderCeiling(const LocalVoxelMap& map, int highest) const {
-  const int lowest = std::max(2, static_cast<int>(std::ceil(kLowestCeiling / voxel_size_)));
+  const double height = std::min(kLowestCeiling, kLowestCeilingShare * reach_);
+  const int lowest = std::max(2, static_cast<int>(std::ceil(height / voxel_size_)));
   return lowest <= highest && map.coveredShare(lowest, highest) >= kCoveredShare;
 }
 

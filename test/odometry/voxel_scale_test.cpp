@@ -52,6 +52,7 @@ TEST(VoxelScale, IsSmallerUnderALowCeiling) {
 TEST(VoxelScale, WhatIsLevelNearTheGroundIsNoCeiling) {
   EXPECT_EQ(after({0.7, true}, 30.0, 10, {0.1f, 1.2f}), 0.7);
   EXPECT_EQ(after({0.35, true}, 30.0, 10, {0.1f, 1.2f}), 0.35);
+  EXPECT_EQ(after({0.175, true}, 1.8, 10, {0.1f, 0.7f}), 0.0875);  // but in a model of a room
   std::vector<float> foliage;
   for (int i = 0; i < 30; ++i) foliage.push_back(0.1f + 0.21f * static_cast<float>(i));
   EXPECT_GE(after({0.7, true}, 30.0, 10, foliage), 0.35);

@@ -142,8 +142,7 @@ struct OdometryConfig {
     v("adaptive_voxel_size", adaptive_voxel_size,
       "true: the voxels of the odometry's map are halved, if need be more than once, where the "
       "median distance of points is below 10 of their edges, as in rooms, or a ceiling is two to "
-      "four edges, and at least 1.5 m, above the floor, as in garages; false: map/voxel_size "
-      "everywhere");
+      "four edges above the floor, as in garages; false: map/voxel_size everywhere");
     v("redo_first_scans", redo_first_scans,
       "true: the first two scans are deskewed and registered once more with the motion between "
       "them; false: the first scan is taken as it is, as in KISS-ICP");

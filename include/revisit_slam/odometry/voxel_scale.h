@@ -11,7 +11,7 @@ namespace revisit_slam {
 /// edges, or while a ceiling is less than five edges above the floor, as in a garage, and doubled,
 /// up to the configured one, once scans reach forty edges and no ceiling is within ten: a factor of
 /// two from where it is halved, so that the edge does not change back and forth. What is level less
-/// than 1.5 m above the floor is no ceiling.
+/// than 1.5 m, and than a quarter of that reach, above the floor is no ceiling.
 class VoxelScale {
  public:
   /// `largest`: m, the configured edge. `adaptive`: false keeps it.
