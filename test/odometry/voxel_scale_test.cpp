@@ -13,8 +13,9 @@ LocalVoxelMap mapOf(double voxel_size, const std::vector<float>& heights) {
   LocalVoxelMap map(config);
   Points points;
   for (const float z : heights)
-    for (int x = 0; x < 48; ++x)
-      for (int y = 0; y < 48; ++y) points.push_back({0.05f + 0.25f * x, 0.05f + 0.25f * y, z});
+    for (int i = 0; i < 48 * 48; ++i)
+      points.push_back({0.05f + 0.25f * static_cast<float>(i % 48),
+                        0.05f + 0.25f * static_cast<float>(i / 48), z});
   map.insert(points, Pose::identity());
   return map;
 }
@@ -53,8 +54,9 @@ TEST(VoxelScale, WhatIsLevelNearTheGroundIsNoCeiling) {
   EXPECT_EQ(after({0.7, true}, 30.0, 10, {0.1f, 1.2f}), 0.7);
   EXPECT_EQ(after({0.35, true}, 30.0, 10, {0.1f, 1.2f}), 0.35);
   EXPECT_EQ(after({0.175, true}, 1.8, 10, {0.1f, 0.7f}), 0.0875);  // but in a model of a room
-  std::vector<float> foliage;
-  for (int i = 0; i < 30; ++i) foliage.push_back(0.1f + 0.21f * static_cast<float>(i));
+  std::vector<float> foliage(30);
+  for (std::size_t i = 0; i < foliage.size(); ++i)
+    foliage[i] = 0.1f + 0.21f * static_cast<float>(i);
   EXPECT_GE(after({0.7, true}, 30.0, 10, foliage), 0.35);
 }
 
