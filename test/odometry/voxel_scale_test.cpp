@@ -13,9 +13,10 @@ LocalVoxelMap mapOf(double voxel_size, const std::vector<float>& heights) {
   LocalVoxelMap map(config);
   Points points;
   for (const float z : heights)
-    for (int i = 0; i < 48 * 48; ++i)
-      points.push_back({0.05f + 0.25f * static_cast<float>(i % 48),
-                        0.05f + 0.25f * static_cast<float>(i / 48), z});
+    for (int x = 0; x < 48; ++x)
+      for (int y = 0; y < 48; ++y)
+        points.push_back(
+            {0.05f + 0.25f * static_cast<float>(x), 0.05f + 0.25f * static_cast<float>(y), z});
   map.insert(points, Pose::identity());
   return map;
 }
