@@ -22,7 +22,7 @@ void SlamNodelet::onInit() {
     NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
     throw;
   }
-  ros::NodeHandle& node = getMTNodeHandle();  // messages do not wait for diagnostics
+  ros::NodeHandle& node = getNodeHandle();
   diagnostics_publisher_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
   diagnostics_timer_ =
       node.createWallTimer(ros::WallDuration(config_.live.diagnostics_period),
