@@ -103,7 +103,7 @@ void LocalVoxelMap::updateShapes(std::vector<BlockIndex>& changed) {
 LocalShape LocalVoxelMap::shapeAt(const Voxel& voxel) const {
   const auto edge = static_cast<float>(voxel_size_);
   const PointMoments near = momentsAround(voxel);
-  const LocalShape shape = localShapeOf(near, edge);
+  LocalShape shape = localShapeOf(near, edge);
   if (!shape.is_line) return shape;
   return widenedShapeOf(shape, near, farther_.around(voxel_size_ * voxel.cast<double>()), edge);
 }

@@ -48,7 +48,7 @@ RegistrationEvidence evidenceOf(const Matrix6& information, const PredictedMotio
 /// so much larger than the measurement's that a difference of both would have no digit left.
 /// @return the gain.
 Matrix6 update(const Matrix6& covariance, Matrix6& P) {
-  const Matrix6 gain = P * (P + covariance).inverse();
+  Matrix6 gain = P * (P + covariance).inverse();
   const Matrix6 rest = Matrix6::Identity() - gain;
   P = symmetric(rest * P * rest.transpose() + gain * covariance * gain.transpose());
   return gain;

@@ -28,7 +28,7 @@ void publishWhereItFits(const Publish& publish) {
 
 OccupancyDisplay::OccupancyDisplay(ros::NodeHandle& node, const std::string& frame,
                                    const OccupancyConfig& config,
-                                   std::function<void()> on_subscriber)
+                                   const std::function<void()>& on_subscriber)
     : frame_(frame), config_(config), map_(config) {
   const bool latch = true;
   const ros::SubscriberStatusCallback connected =

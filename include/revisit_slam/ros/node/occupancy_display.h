@@ -17,7 +17,7 @@ class OccupancyDisplay {
  public:
   /// `on_subscriber` is called in a thread of the node when somebody begins to listen.
   OccupancyDisplay(ros::NodeHandle& node, const std::string& frame, const OccupancyConfig& config,
-                   std::function<void()> on_subscriber);
+                   const std::function<void()>& on_subscriber);
 
   void draw(const GraphSession& session);
   /// Another drive begins.
