@@ -424,7 +424,7 @@ def main() -> None:
     except (KeyboardInterrupt, SystemExit):
         print("interrupted:", flush=True)
         soak.report()
-        raise
+        status = 128 + signal.SIGINT
     finally:
         soak.stop()
     sys.exit(status)
