@@ -108,7 +108,9 @@ void SessionWriter::begin() {
 /// May be tried again, at whatever step it failed.
 void SessionWriter::beginLog(std::optional<GrowingFile>& log, const std::string& path) {
   if (!log) log.emplace(path);
-  if (log->size() == 0) log->append(graphLogHeader());
+  if (log->size() > 0) return;
+  log->append(graphLogHeader());
+  log->sync();  // else the first entry that cannot be synced would take the header with it
 }
 
 void SessionWriter::write(const std::string& path, const std::string& bytes) {
