@@ -30,7 +30,7 @@ Submap surfaceIn(const std::string& file) {
 SessionWriter::SessionWriter(SessionTarget target, SessionInfo info, int niceness)
     : target_(std::move(target)),
       info_(std::move(info)),
-      lane_(niceness, [this](std::exception_ptr) { noteProblem("out of memory"); }) {
+      lane_(niceness, [this](const std::exception_ptr&) { noteProblem("out of memory"); }) {
   post([this] { begin(); });
 }
 
