@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,19 +10,13 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "revisit_slam/io/file_name.h"
+
 namespace revisit_slam {
 namespace {
 
 std::string lockOf(const std::string& folder) {
   return folder + "/lock";
-}
-
-/// Whether this is the file of that name: the name may be gone, or that of another file.
-bool hasName(int file, const std::string& path) {
-  struct stat ours = {};
-  struct stat named = {};
-  return ::fstat(file, &ours) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         ours.st_ino == named.st_ino && ours.st_dev == named.st_dev;
 }
 
 }  // namespace

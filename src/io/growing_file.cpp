@@ -2,12 +2,13 @@
 #include "revisit_slam/io/growing_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+
+#include "revisit_slam/io/file_name.h"
 
 namespace revisit_slam {
 
@@ -63,10 +64,7 @@ void GrowingFile::sync() {
 }
 
 bool GrowingFile::removed() const {
-  struct stat ours = {};
-  struct stat named = {};
-  return ::fstat(file_, &ours) != 0 || ::stat(path_.c_str(), &named) != 0 ||
-         ours.st_ino != named.st_ino || ours.st_dev != named.st_dev;
+  return !hasName(file_, path_);
 }
 
 }  // namespace revisit_slam

@@ -4,24 +4,14 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 
 #include "support/contains.h"
+#include "support/failing_sync.h"
 #include "support/temporary_folder.h"
-
-namespace {
-bool sync_fails = false;
-}  // namespace
-
-/// Of the whole program: what a disk answers that has a fault, or a network where a quota ends.
-extern "C" int fdatasync(int file) {
-  if (!sync_fails) return static_cast<int>(syscall(SYS_fdatasync, file));
-  errno = EIO;
-  return -1;
-}
 
 namespace revisit_slam {
 namespace {
@@ -51,9 +41,10 @@ TEST(GrowingFile, WhatTheDiskDidNotTakeIsAppendedOnceThoughItIsAppendedAgain) {
   file.append("on disk.");
   file.sync();
   file.append("not yet.");
-  sync_fails = true;
-  EXPECT_THROW(file.sync(), std::runtime_error);
-  sync_fails = false;
+  {
+    const FailingSync fault;
+    EXPECT_THROW(file.sync(), std::runtime_error);
+  }
   EXPECT_EQ(file.size(), 8u);
   file.append("not yet.");
   file.sync();

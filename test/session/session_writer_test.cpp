@@ -8,11 +8,14 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <thread>
 
 #include "session/session_fixtures.h"
 #include "support/contains.h"
+#include "support/failing_sync.h"
 #include "support/temporary_folder.h"
 
 namespace revisit_slam {
@@ -58,6 +61,22 @@ TEST(SessionWriter, ASubmapIsInTheLogWhenItsFileIsWhole) {
   EXPECT_TRUE(readQuietly(path).submaps.empty());
   std::filesystem::remove_all(submapFile(path, SubmapId{0}) + ".part");
   writer.drain();
+  EXPECT_EQ(readQuietly(path).submaps.size(), 1u);
+}
+
+TEST(SessionWriter, ADiskWithAFaultAtTheFirstSubmapCostsNothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session");
+  SessionWriter writer({path, "", nullptr, false}, someInfo(), 0);
+  writer.drain();
+  {
+    const FailingSync fault;
+    add(writer, 0);
+    writer.drain();
+    EXPECT_TRUE(contains(writer.problem(), strerror(EIO))) << writer.problem();
+  }
+  writer.drain();
+  EXPECT_EQ(writer.problem(), "");
   EXPECT_EQ(readQuietly(path).submaps.size(), 1u);
 }
 
