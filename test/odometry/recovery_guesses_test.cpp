@@ -38,5 +38,12 @@ TEST(RecoveryGuesses, areTurnedAloneWhereTheWayIsShort) {
   EXPECT_TRUE(hasOneNear(guesses, 1.0, 0.8));
 }
 
+/// Within reach: days later no motion was steady.
+TEST(RecoveryGuesses, areNoFartherThanAnythingWentAfterADay) {
+  const std::vector<Pose> guesses = recoveryGuesses(ahead(10.0, 86'400.0));
+  EXPECT_TRUE(hasOneNear(guesses, 0.0, 0.0));
+  for (const Pose& guess : guesses) EXPECT_LE(guess.translation.norm(), 1000.0);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/room_map.h"
 #include "support/threads.h"
 
@@ -119,6 +121,16 @@ TEST(Registration, StopsAtTheLargestNumberOfIterations) {
   EXPECT_EQ(result.outcome, RegistrationOutcome::max_iterations);
   EXPECT_EQ(result.iterations, 2);
   EXPECT_LT(distanceBetween(result.T_odom_base, {}), distanceBetween(initial, {}));
+}
+
+TEST(Registration, AStepThatIsNotFiniteEndsAtThePrediction) {
+  const LocalVoxelMap map = mapOfRoom(0.0);
+  PosePrediction predicted(exp(RandomNumbers(9).tangent(0.1, 0.01)));
+  predicted.information = Matrix6::Constant(std::numeric_limits<double>::quiet_NaN());
+  const auto result = Registration({}).align(everyFifth(map.points()), {}, map, predicted, kSigma);
+  EXPECT_NE(result.outcome, RegistrationOutcome::converged);
+  EXPECT_EQ(result.T_odom_base.matrix(), predicted.T_odom_base.matrix());
+  EXPECT_EQ(result.information, Matrix6::Zero());
 }
 
 }  // namespace

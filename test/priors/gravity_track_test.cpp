@@ -129,5 +129,19 @@ TEST(GravityTrack, BeginsAnewAfterAGapOfScans) {
   EXPECT_EQ(directions, 1u);  // from 3 s to 7 s
 }
 
+TEST(GravityTrack, GoesOnAfterAClockThatWasSetBack) {
+  GravityTrack track({});
+  ImuReading of_another_day = readingAt(0.0);
+  of_another_day.stamp = Stamp::fromSeconds(100'000.0);
+  track.take(of_another_day);
+  for (int i = 0; i <= 400; ++i) track.take(readingAt(0.01 * i));
+  std::size_t directions = 0;
+  for (int scan = 0; scan <= 40; ++scan)
+    if (track.observe(ScanId{static_cast<std::uint32_t>(scan)},
+                      Stamp::fromSeconds(100.0 + 0.1 * scan), poseAt(0.1 * scan)))
+      ++directions;
+  EXPECT_EQ(directions, 1u);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "support/street_revisit.h"
 
@@ -102,6 +105,29 @@ TEST_F(LoopClosingTest, whatASearchThrowsIsReportedAndTheRestFollows) {
   EXPECT_EQ(closed_.size(), 1u);
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems.front(), "cannot draw");
+}
+
+/// Others keep a map until it has been reported.
+TEST_F(LoopClosingTest, aMapWhoseSearchThrowsIsReportedToo) {
+  config_.loops.recognition.min_inliers = 1;
+  LoopClosing::Outputs throwing = outputs();
+  std::vector<std::string> problems;
+  throwing.problem = [&](const std::string& problem) { problems.push_back(problem); };
+  const auto library = std::make_shared<SubmapLibrary>(0);
+  LoopClosing closing(config_, throwing, library);
+  for (const LocalMapPtr& map : maps_) {
+    for (const SubmapPtr& submap : map->submaps) {
+      library->add(submap, nullptr);
+      library->noteStored(submap->id, []() -> Submap { throw std::runtime_error("no disk"); });
+    }
+    closing.add(map);
+    closing.giveUpWaiting();
+  }
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems.front(), "no disk");
+  std::set<LocalMapId> reported;
+  for (const LoopClosures& closures : closures_) reported.insert(closures.map);
+  EXPECT_EQ(reported.size(), maps_.size());
 }
 
 TEST_F(LoopClosingTest, everyMapIsReportedWithoutLoopsToo) {

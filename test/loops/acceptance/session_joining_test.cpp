@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
@@ -38,6 +40,8 @@ class SessionJoiningTest : public testing::Test {
     const Pose T_target_source =
         placeOf(target.value).inverse() * T_first_second * placeOf(source.value);
     proposal.registered.registration.T_target_source = T_target_source;
+    proposal.registered.target = std::make_shared<const Submap>();
+    proposal.registered.source = std::make_shared<const Submap>();
     return proposal;
   }
   static LoopProposal loop(std::uint32_t target, std::uint32_t source, const Pose& T) {
@@ -116,6 +120,17 @@ TEST_F(SessionJoiningTest, ALoopSpeaksInEitherDirection) {
   joining_.hold(loop({1, kFirst}, {2, kSecond}, right_));
   joining_.hold(loop({4, kSecond}, {3, kThird}, right_.inverse()));
   EXPECT_EQ(believed(groups).size(), 2u);
+}
+
+/// It may wait for days.
+TEST_F(SessionJoiningTest, WhatWaitsKeepsNoPoints) {
+  const LoopProposal held = joining_.hold(loop(1, 2, right_));
+  EXPECT_TRUE(held.registered.source);  // as is shown
+  joining_.hold(loop(2, 3, right_));
+  for (const LoopProposal& proposal : believed()) {
+    EXPECT_FALSE(proposal.registered.source);
+    EXPECT_FALSE(proposal.registered.target);
+  }
 }
 
 }  // namespace
