@@ -171,13 +171,16 @@ std::vector<LoopProposal> LoopDetector::closeByAppearance(const LocalMap& source
                                   placed(target, Pose::identity()), LoopOrigin::appearance, priors);
 }
 
-/// Where the graph has the submaps, and how far it may be off.
-PriorOf LoopDetector::priorsOf(const ScanPoses& T_map_scan) const {
+GraphDrift LoopDetector::graphDrift() const {
   std::vector<SubmapPtr> submaps;
   for (const LocalMapPtr& map : maps_)
     submaps.insert(submaps.end(), map->submaps.begin(), map->submaps.end());
-  const auto drift = std::make_shared<const GraphDrift>(
-      std::move(submaps), correction_ ? correction_->loops : std::vector<LoopEdge>{}, drift_);
+  return {std::move(submaps), correction_ ? correction_->loops : std::vector<LoopEdge>{}, drift_};
+}
+
+/// Where the graph has the submaps, and how far it may be off.
+PriorOf LoopDetector::priorsOf(const ScanPoses& T_map_scan) const {
+  const auto drift = std::make_shared<const GraphDrift>(graphDrift());
   return [drift, &T_map_scan](const Submap& source, const Submap& target) {
     return LoopPrior{T_map_scan[target.first_scan].inverse() * T_map_scan[source.first_scan],
                      drift->between(source.id, target.id)};
@@ -194,7 +197,7 @@ LoopSearchResult LoopDetector::searchRetroactively(std::optional<LocalMapId> n) 
   return result;
 }
 
-LoopSearchResult LoopDetector::searchUnspent(std::set<LocalMapPair>& tried) {
+LoopSearchResult LoopDetector::searchUnspent(TriedPairs& tried) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   believe(result);
   if (result.proposals.empty() && search_at_end_) searchWindow(maps_.back()->id, tried, result);
@@ -202,23 +205,42 @@ LoopSearchResult LoopDetector::searchUnspent(std::set<LocalMapPair>& tried) {
 }
 
 /// As many pairs as may be at a time. @return whether these were all.
-bool LoopDetector::searchWindow(LocalMapId n, std::set<LocalMapPair>& tried,
-                                LoopSearchResult& result) const {
+bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResult& result) const {
   StageClock clock;
   const ScanPoses T_map_scan = placeScans();
   std::vector<RetroactiveCandidate> candidates =
       retroactive_.search(maps_, T_map_scan, searched_, n, closed_);
   const auto is_left_out = [&](const RetroactiveCandidate& candidate) {
     const auto& [source, target] = candidate.maps;
-    return tried.count(candidate.maps) > 0 || !groups_.areTied(source.session, target.session);
+    return tried.has(candidate.maps) || !groups_.areTied(source.session, target.session);
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
   const std::size_t done = close(candidates, T_map_scan, result);
-  for (std::size_t i = 0; i < done; ++i) tried.insert(candidates[i].maps);
+  const GraphDrift drift = graphDrift();
+  for (std::size_t i = 0; i < done; ++i)
+    tried.note(candidates[i].maps, guessOf(candidates[i].maps, T_map_scan, drift));
   clock.stage("retroactive");
   result.times = clock.times();
   return done == candidates.size();
+}
+
+void LoopDetector::forgetChanged(TriedPairs& tried) const {
+  const ScanPoses T_map_scan = placeScans();
+  const GraphDrift drift = graphDrift();
+  tried.forgetChanged([&](const LocalMapPair& maps) { return guessOf(maps, T_map_scan, drift); });
+}
+
+PairGuess LoopDetector::guessOf(const LocalMapPair& maps, const ScanPoses& T_map_scan,
+                                const GraphDrift& drift) const {
+  const std::vector<SubmapPtr>&source = maps_[order_[maps.first]]->submaps,
+        &target = maps_[order_[maps.second]]->submaps;
+  const auto T_target_source = [&](const SubmapPtr& to, const SubmapPtr& from) {
+    return T_map_scan[to->first_scan].inverse() * T_map_scan[from->first_scan];
+  };
+  return {T_target_source(target.front(), source.front()),
+          T_target_source(target.back(), source.back()),
+          drift.between(source.front()->id, target.front()->id).plane};
 }
 
 /// What is not closed now may be once the graph has moved it: it does not count as tried.
@@ -253,13 +275,14 @@ std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candida
 
 /// A pair whose loops the graph has rejected is not closed: a search may find the right one.
 void LoopDetector::correct(const MapCorrectionPtr& correction) {
+  const bool is_first = !correction_;  // tells what sessions that were mapped before are
   correction_ = correction;
   closed_.clear();
   for (const LoopEdge& edge : correction->loops)
     if (edge.state != LoopState::rejected)
       closed_.insert({edge.loop.source_map, edge.loop.target_map});
   const SessionGroups groups(correction->loops);
-  searchAgainWhatWasJoined(groups);
+  if (!is_first) searchAgainWhatWasJoined(groups);
   groups_ = groups;
 }
 

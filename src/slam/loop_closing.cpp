@@ -19,6 +19,7 @@ LoopClosing::LoopClosing(const SlamConfig& config, Outputs outputs,
 
 void LoopClosing::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   detector_.reconfigure(loops, retroactive);
+  tried_at_the_end_.clear();
 }
 
 void LoopClosing::goOnFrom(const std::vector<const KnownMap*>& maps) {
@@ -110,7 +111,7 @@ void LoopClosing::searchAfterAnswer() {
 }
 
 void LoopClosing::begin(const MapsClosed& closed) {
-  tried_at_the_end_.clear();
+  guarded([this] { detector_.forgetChanged(tried_at_the_end_); });
   searchToTheEnd(closed);
 }
 

@@ -43,7 +43,7 @@ TEST_F(LoopDetectorTest, aPairThatTheGraphHasTakenIsNotSearchedAgain) {
   EXPECT_EQ(found.front().target_map, LocalMapId{0});
   answer(found, LoopState::active);
   EXPECT_TRUE(detector_.newestIsClosed());
-  std::set<LocalMapPair> tried;
+  TriedPairs tried;
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
 }
 
@@ -56,12 +56,29 @@ TEST_F(LoopDetectorTest, whatTheGraphRejectsIsNoClosure) {
 }
 
 TEST_F(LoopDetectorTest, aSearchThatIsNotSpentLeavesTheWindowToTheNextClosure) {
-  std::set<LocalMapPair> tried;
+  TriedPairs tried;
   const auto early = detector_.searchUnspent(tried).accepted();
   ASSERT_FALSE(early.empty());
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());  // all were tried by now
   answer(early, LoopState::rejected);
   EXPECT_EQ(detector_.searchRetroactively().accepted().size(), early.size());
+}
+
+TEST_F(LoopDetectorTest, aPairThatWasTriedIsTriedAgainOnceTheGraphHasMovedIt) {
+  TriedPairs tried;
+  EXPECT_FALSE(detector_.searchUnspent(tried).proposals.empty());
+  detector_.forgetChanged(tried);
+  EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
+  auto correction = std::make_shared<MapCorrection>();
+  for (const LocalMapPtr& map : detector_.maps())
+    for (const SubmapPtr& submap : map->submaps)
+      for (const Pose& T_submap_scan : submap->T_submap_scan) {
+        correction->T_map_scan.push_back(submap->T_odom_submap * T_submap_scan);
+        if (map == detector_.maps().back()) correction->T_map_scan.back().translation.y() += 0.5;
+      }
+  detector_.correct(correction);
+  detector_.forgetChanged(tried);
+  EXPECT_FALSE(detector_.searchUnspent(tried).proposals.empty());
 }
 
 TEST_F(LoopDetectorTest, theWindowIsSpentByASearchAfterAClosure) {
@@ -72,7 +89,7 @@ TEST_F(LoopDetectorTest, theWindowIsSpentByASearchAfterAClosure) {
 TEST_F(LoopDetectorTest, aLoopThatTheUserDisabledIsNotFoundAgain) {
   const auto found = detector_.searchRetroactively().accepted();
   answer(found, LoopState::disabled);
-  std::set<LocalMapPair> tried;
+  TriedPairs tried;
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
 }
 
@@ -81,9 +98,46 @@ TEST_F(LoopDetectorTest, asInThePaperTheEndOfTheDriveStartsNoSearch) {
   retroactive.search_at_end = false;
   LoopDetector detector(loops(), retroactive, {});
   for (const LocalMapPtr& map : streetRevisit()) detector.searchByAppearance(map);
-  std::set<LocalMapPair> tried;
+  TriedPairs tried;
   EXPECT_TRUE(detector.searchUnspent(tried).proposals.empty());
   EXPECT_FALSE(detector.searchRetroactively().proposals.empty());
+}
+
+/// As the only one of session 1.
+LocalMapPtr inAnotherSession(const LocalMap& map) {
+  auto other = std::make_shared<LocalMap>();
+  other->id = {0, SessionId{1}};
+  const Submap& first = *map.submaps.front();
+  for (const SubmapPtr& submap : map.submaps) {
+    auto moved = std::make_shared<Submap>(*submap);
+    moved->id = {submap->id.value - first.id.value, SessionId{1}};
+    moved->local_map = other->id;
+    moved->first_scan = {submap->first_scan.value - first.first_scan.value, SessionId{1}};
+    other->submaps.push_back(moved);
+  }
+  return other;
+}
+
+/// What was merged before was searched then.
+TEST(LoopDetector, SessionsAreSearchedAgainWhenTheyAreJoinedNotWhenTheyWereBefore) {
+  const std::vector<LocalMapPtr> maps = streetRevisit();
+  const auto apart = std::make_shared<MapCorrection>();
+  const auto joined = std::make_shared<MapCorrection>();
+  joined->loops.resize(1);
+  joined->loops.front().state = LoopState::active;
+  joined->loops.front().loop.target_map = {1, SessionId{0}};
+  joined->loops.front().loop.source_map = {0, SessionId{1}};
+  joined->loops.front().loop.target = maps[1]->submaps.front()->id;
+  joined->loops.front().loop.source = {0, SessionId{1}};
+  for (const bool before : {true, false}) {
+    LoopDetector detector({}, {}, {});
+    for (const LocalMapPtr& map : {maps[0], maps[1], inAnotherSession(*maps[2])})
+      detector.addSearched(map, {});
+    detector.correct(before ? joined : apart);
+    detector.correct(joined);
+    TriedPairs tried;
+    EXPECT_EQ(detector.searchUnspent(tried).proposals.empty(), before);
+  }
 }
 
 }  // namespace

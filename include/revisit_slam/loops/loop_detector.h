@@ -13,6 +13,7 @@
 #include "revisit_slam/loops/search/loop_search_result.h"
 #include "revisit_slam/loops/search/loops_config.h"
 #include "revisit_slam/loops/search/retroactive_search.h"
+#include "revisit_slam/loops/search/tried_pairs.h"
 #include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/types/map_correction.h"
 #include "revisit_slam/types/scan_poses.h"
@@ -53,7 +54,9 @@ class LoopDetector {
   /// Pairs of maps since the last search by searchRetroactively(), without counting them as
   /// searched: a closure that comes later searches them with better poses. Each call takes the next
   /// pairs that were not `tried`, until there are none. First come loops that join sessions.
-  LoopSearchResult searchUnspent(std::set<LocalMapPair>& tried);
+  LoopSearchResult searchUnspent(TriedPairs& tried);
+  /// Pairs that were tried, and of which the graph says something else by now.
+  void forgetChanged(TriedPairs& tried) const;
 
   /// Where appearance closed no loop: the newest map and those so little of the way back that the
   /// odometry alone places them.
@@ -73,6 +76,9 @@ class LoopDetector {
   LocalMapPtr withoutPoints(const LocalMapPtr& map) const;
   LocalMapPtr mapOf(LocalMapId id) const;
   ScanPoses placeScans() const;
+  PairGuess guessOf(const LocalMapPair& maps, const ScanPoses& T_map_scan,
+                    const GraphDrift& drift) const;
+  GraphDrift graphDrift() const;
   PriorOf priorsOf(const ScanPoses& T_map_scan) const;
   void closeMatches(const LocalMap& source, LoopSearchResult& result);
   void believe(LoopSearchResult& result);
@@ -80,7 +86,7 @@ class LoopDetector {
   std::vector<LoopProposal> closeByAppearance(const LocalMap& source,
                                               const PlaceMatch& match) const;
   LoopSearchResult newSearch(LoopOrigin origin) const;
-  bool searchWindow(LocalMapId n, std::set<LocalMapPair>& tried, LoopSearchResult& result) const;
+  bool searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResult& result) const;
   std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
                     const ScanPoses& T_map_scan, LoopSearchResult& result) const;
 
@@ -101,7 +107,7 @@ class LoopDetector {
   SessionGroups groups_;                   // as the graph ties the sessions
   MapCorrectionPtr correction_;            // the newest; null: none yet
   std::set<LocalMapPair> closed_;          // by the graph
-  std::set<LocalMapPair> tried_;           // after the window was last searched to its end
+  TriedPairs tried_;                       // after the window was last searched to its end
   std::optional<LocalMapId> searched_;     // p: up to it all maps were searched retroactively
 };
 

@@ -5,7 +5,6 @@
 #include <deque>
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -84,7 +83,7 @@ class LoopClosing {
   std::deque<Work> work_;  // not begun
   std::uint32_t requests_ = 0;
   std::optional<Awaited> awaited_;  // the graph's answer; meanwhile nothing is begun
-  std::set<LocalMapPair> tried_at_the_end_;
+  TriedPairs tried_at_the_end_;
 };
 
 }  // namespace revisit_slam
