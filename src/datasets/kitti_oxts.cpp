@@ -58,29 +58,29 @@ Eigen::Quaterniond rotationOf(const TextRow& row) {
 
 }  // namespace
 
-std::vector<Stamp> readKittiDates(const std::string& path) {
-  std::vector<Stamp> stamps;
-  forEachRow(path, 2, [&](const TextRow& row) { stamps.push_back(stampOf(row)); });
+std::map<std::size_t, Stamp> readKittiDates(const std::string& path) {
+  std::map<std::size_t, Stamp> stamps;
+  forEachRow(path, 2, [&](const TextRow& row) { stamps[row.line - 1] = stampOf(row); });
   return stamps;
 }
 
 Trajectory readOxts(const std::string& folder) {
   constexpr std::size_t columns = 30;
   const std::string date_file = requireBelow(folder, {"timestamps.txt"});
-  const std::vector<Stamp> stamps = readKittiDates(date_file);
+  const std::map<std::size_t, Stamp> stamps = readKittiDates(date_file);
   double scale = 0.0;
   Eigen::Vector3d origin;
   Trajectory poses;
   for (const NumberedFile& file : numberedFiles(requireBelow(folder, {"data"}), ".txt")) {
-    const auto index = static_cast<std::size_t>(file.number);
-    if (index >= stamps.size())
+    const auto stamp = stamps.find(static_cast<std::size_t>(file.number));
+    if (stamp == stamps.end())
       throw DatasetError(date_file, "has no stamp for " + std::to_string(file.number));
     forEachRow(file.path, columns, [&](const TextRow& row) {
       if (poses.empty()) {
         scale = std::cos(row.number(0) * pi / 180.0);
         origin = positionOf(row, scale);
       }
-      poses.push_back({stamps[index], {rotationOf(row), positionOf(row, scale) - origin}});
+      poses.push_back({stamp->second, {rotationOf(row), positionOf(row, scale) - origin}});
     });
   }
   return poses;

@@ -5,6 +5,7 @@
 // counter-clockwise; docs/datasets.md has a measurement.)
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include "files.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct Sweeps {
   /// By the number of the scan.
-  std::vector<Stamp> starts, ends;
+  std::map<std::size_t, Stamp> starts, ends;
 };
 
 /// timestamps.txt has when the sensor looks ahead, half a turn after the start.
@@ -30,9 +31,9 @@ Sweeps readSweeps(const std::string& folder) {
   const auto ends = findBelow(folder, {"timestamps_end.txt"});
   if (starts && ends) return {readKittiDates(*starts), readKittiDates(*ends)};
   Sweeps sweeps;
-  for (const Stamp middle : readKittiDates(requireBelow(folder, {"timestamps.txt"}))) {
-    sweeps.starts.push_back({middle.nanoseconds - half_turn});
-    sweeps.ends.push_back({middle.nanoseconds + half_turn});
+  for (const auto& [scan, middle] : readKittiDates(requireBelow(folder, {"timestamps.txt"}))) {
+    sweeps.starts[scan] = {middle.nanoseconds - half_turn};
+    sweeps.ends[scan] = {middle.nanoseconds + half_turn};
   }
   return sweeps;
 }
@@ -49,9 +50,9 @@ Scans stampedScans(const std::string& folder) {
   Scans scans;
   for (const NumberedFile& file : numberedFiles(requireBelow(folder, {"data"}), ".bin")) {
     const auto index = static_cast<std::size_t>(file.number);
-    if (index >= std::min(sweeps.starts.size(), sweeps.ends.size()))
+    if (sweeps.starts.count(index) == 0 || sweeps.ends.count(index) == 0)
       throw DatasetError(folder, "the files of stamps have none for scan " + std::to_string(index));
-    const Stamp start = sweeps.starts[index], end = sweeps.ends[index];
+    const Stamp start = sweeps.starts.at(index), end = sweeps.ends.at(index);
     const std::int64_t duration = end.nanoseconds - start.nanoseconds;
     if (duration <= 0 || duration > longest_sweep)
       throw DatasetError(folder, "by its stamps, scan " + std::to_string(index) + " lasts " +

@@ -118,6 +118,23 @@ TEST(KittiRaw, AMissingScanShiftsNoStamps) {
   EXPECT_EQ(scans->file(1).stamp.nanoseconds, 1317042145300000003);
 }
 
+/// As in the drive 2011_09_26_0009.
+TEST(KittiRaw, TheStampOfAMissingScanMayBeAnEmptyLine) {
+  const TemporaryFolder folder;
+  const Paths paths = writeKittiRaw(folder, simulatedScans("spinning-16", 50));
+  std::filesystem::remove(paths[1]);
+  for (const char* name : {"timestamps_start.txt", "timestamps_end.txt"}) {
+    const std::string path = folder.file("drive/velodyne_points/") + name;
+    std::string text = textOf(path);
+    const std::size_t second = text.find('\n') + 1;
+    text.erase(second, text.find('\n', second) - second);
+    ByteFile().text(text).save(path);
+  }
+  const auto scans = openDataset("kitti-raw", folder.file("drive"));
+  ASSERT_EQ(scans->size(), 2u);
+  EXPECT_EQ(scans->file(1).stamp.nanoseconds, 1317042145300000003);
+}
+
 TEST(KittiRaw, GroundTruthIsMovedFromTheImuToTheVelodyne) {
   const TemporaryFolder folder;
   writeKittiRaw(folder, simulatedScans("spinning-16", 50));
