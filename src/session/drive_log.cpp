@@ -18,10 +18,9 @@ std::string informationHeader() {
   return header + ",verdict,explained\n";
 }
 
-/// With the stages in the order of the first scan.
-std::string timesHeader(const StageTimes& times) {
+std::string timesHeader(const std::vector<std::string>& stages) {
   std::string header = "scan,stamp";
-  for (const auto& [stage, ms] : times) header += std::string(",") + stage + "_ms";
+  for (const std::string& stage : stages) header += "," + stage + "_ms";
   return header + ",total_ms\n";
 }
 
@@ -86,15 +85,20 @@ void DriveLog::writeInformation(const DriveLogEntry& entry) {
 }
 
 void DriveLog::writeTimes(const DriveLogEntry& entry) {
-  if (!scan_times_.hasHeader()) scan_times_.setHeader(timesHeader(entry.times));
-  std::ostringstream line;
+  if (stages_.empty()) {
+    for (const auto& [stage, ms] : entry.times) stages_.emplace_back(stage);
+    scan_times_.setHeader(timesHeader(stages_));
+  }
+  std::map<std::string, double> ms_of;
   double total = 0.0;
-  line << entry.scan.value << "," << stampText(entry.pose.stamp);
   for (const auto& [stage, ms] : entry.times) {
-    line << "," << ms;
+    ms_of[stage] += ms;
     stage_ms_[stage].push_back(static_cast<float>(ms));
     total += ms;
   }
+  std::ostringstream line;
+  line << entry.scan.value << "," << stampText(entry.pose.stamp);
+  for (const std::string& stage : stages_) line << "," << ms_of[stage];
   stage_ms_["total"].push_back(static_cast<float>(total));
   line << "," << total << "\n";
   scan_times_.add(line.str());

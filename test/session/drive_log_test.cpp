@@ -37,6 +37,22 @@ TEST(DriveLog, ScanTimesHaveAColumnForEachStageAndTheirSum) {
             "1,1700000000.100000001,2,0.5,2.5\n");
 }
 
+/// One that waited for the readings of an IMU, say, was read before.
+TEST(DriveLog, ScanTimesHaveTheSameColumnsWhereAStageIsLeftOut) {
+  const TemporaryFolder folder;
+  {
+    DriveLog log(folder.file(""));
+    log.add(entryOf(scanAt(0), timesOf(0)));
+    log.add(entryOf(scanAt(1), {{"downsample", 0.5}}));
+    log.add(entryOf(scanAt(2), {{"read", 4.0}, {"register", 1.0}, {"downsample", 0.5}}));
+  }
+  EXPECT_EQ(textOf(folder.file("scan_times.csv")),
+            "scan,stamp,register_ms,downsample_ms,total_ms\n"
+            "0,1700000000.000000001,1,0.5,1.5\n"
+            "1,1700000000.100000001,0,0.5,0.5\n"
+            "2,1700000000.200000001,1,0.5,5.5\n");
+}
+
 TEST(DriveLog, InformationHasTheUpperTrianglesOfBothMatrices) {
   const TemporaryFolder folder;
   InformedScan informed = scanAt(0);

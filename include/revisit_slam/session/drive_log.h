@@ -22,7 +22,6 @@ class LineFile {
   explicit LineFile(const std::string& path, const std::string& header = "")
       : path_(path), header_(header) {}
 
-  bool hasHeader() const { return !header_.empty(); }
   /// Before the first line is added.
   void setHeader(const std::string& header) { header_ = header; }
   void add(const std::string& line);
@@ -72,6 +71,7 @@ class DriveLog {
   void writeTimes(const DriveLogEntry& entry);
 
   LineFile odometry_, information_, scan_times_;
+  std::vector<std::string> stages_;  // columns of scan_times_: those of the first scan
   std::map<std::string, std::vector<float>> stage_ms_;
   std::map<PoseVerdict, std::size_t> verdicts_;
   TravelledDistance distance_;

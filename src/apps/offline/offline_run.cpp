@@ -15,6 +15,8 @@
 namespace revisit_slam {
 namespace {
 
+constexpr const char* kReading = "read";  // the stage, which scans that waited have no time of
+
 /// A line of loop_candidates.csv: the pair of submaps, and the gate that rejected it, if any.
 std::string lineOf(const LoopProposal& proposal) {
   const LoopConstraint& loop = proposal.loop;
@@ -181,7 +183,7 @@ void OfflineRun::sayLidars() {
 }
 
 void OfflineRun::insert(ScanReading reading, std::size_t sensor, StageClock clock) {
-  clock.stage("read");
+  clock.stage(kReading);
   reading.sensor = sensor;
   sayTimeSource();
   slam_.insert(std::move(reading), clock.times());
@@ -192,6 +194,8 @@ void OfflineRun::onScan(const InformedScan& informed, const StageTimes& times) {
   if (!notice.empty())
     progress_.say("scan " + std::to_string(slam_.account().received) + ": " + notice);
   StageTimes all_times = times;
+  const bool was_read_before = times.empty() || times.front().first != std::string(kReading);
+  if (was_read_before) all_times.insert(all_times.begin(), {kReading, 0.0});
   if (localized_) {
     StageClock clock;
     localized_->add(informed);
