@@ -96,6 +96,9 @@ void moveToKeyposes(const std::vector<Pose>& T_map_submap, Session& session) {
   }
   while (T_map_scan.size() < graph.nodes.size())
     T_map_scan.push_back(graph.T_map_odom * graph.nodes[T_map_scan.size()].T_odom_base);
+  if (graph.georeference && !T_map_scan.empty())  // of another map frame by now
+    graph.georeference->T_enu_map =
+        graph.georeference->T_enu_map * graph.T_map_scan.front() * T_map_scan.front().inverse();
   graph.T_map_scan = std::move(T_map_scan);
 }
 

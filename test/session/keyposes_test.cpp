@@ -48,6 +48,19 @@ TEST_F(KeyposesTest, TheSameKeyposesMoveNothing) {
     EXPECT_LT(distanceBetween(session_.graph.T_map_scan[i], before[i]), 1e-9) << i;
 }
 
+TEST_F(KeyposesTest, TheMapStaysWhereItIsOnTheEarth) {
+  session_.graph.georeference.emplace();
+  session_.graph.georeference->T_enu_map = {expSO3({0.0, 0.0, 0.5}), {10.0, 20.0, 30.0}};
+  const Pose T_enu_first =
+      session_.graph.georeference->T_enu_map * session_.graph.T_map_scan.front();
+  for (Pose& pose : keyposes_) pose = Pose{expSO3({0.0, 0.0, 1.0}), {100.0, -50.0, 3.0}} * pose;
+  moveToKeyposes(keyposes_, session_);
+  EXPECT_LT(
+      distanceBetween(session_.graph.georeference->T_enu_map * session_.graph.T_map_scan.front(),
+                      T_enu_first),
+      1e-9);
+}
+
 /// The map as a whole moves, and the last keypose by 0.2 m more: scans between move by more and
 /// more.
 TEST_F(KeyposesTest, ScansBetweenTakeTheirShare) {
