@@ -51,7 +51,7 @@ ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& 
   if (cells > most_cells) {
     std::ostringstream text;
     text << "the grid would have " << cells << " cells, " << most_cells << " are allowed";
-    throw std::runtime_error(text.str());
+    throw std::length_error(text.str());
   }
   ProjectedGrid grid;
   grid.resolution = map.resolution();

@@ -104,8 +104,11 @@ class MapExport {
     if (config_.graph) writeGraphFiles();
     if (config_.submaps) writeSubmaps();
     if (!config_.clouds.empty() || (config_.occupancy && removesDynamic())) writeClouds();
-    if (config_.occupancy && parameters_.occupancy.enabled && !session_.submaps.empty())
-      guarded("the map of the occupancy", [&] { writeOccupancy(); });
+    if (config_.occupancy && parameters_.occupancy.enabled && !session_.submaps.empty()) try {
+        writeOccupancy();
+      } catch (const std::invalid_argument& error) {  // submaps that do not fit together
+        note(std::string("the map of the occupancy was not made: ") + error.what());
+      }
     tell(1.0);
     return notices_;
   }
@@ -200,6 +203,7 @@ class MapExport {
         for (const Tile& tile : tilesOf(submap.box_submap, placeOf(submap), edge))
           submaps_of_tile[tile].push_back(&submap);
     if (submaps_of_tile.empty()) return note("there is no map: no submap is closed");
+    removeFormerClouds();
     if (config_.tile) makeFolder(file("map_tiles"));
     std::size_t done = 0;
     const auto write_all = [&](auto then) {
@@ -289,6 +293,24 @@ class MapExport {
     return seenPoints(update, placeOf(submap), session_.submaps.front().stamp);
   }
 
+  /// What an export with another edge, or of another map, or with what moved left there.
+  void removeFormerClouds() const {
+    for (const std::string& format : config_.clouds) {
+      if (config_.tile) removeTiles(format);
+      if (!removesDynamic()) std::filesystem::remove(file("map_dynamic." + format));
+    }
+  }
+
+  void removeTiles(const std::string& format) const {
+    const std::string folder = file("map_tiles");
+    if (!std::filesystem::is_directory(folder)) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.rfind("map_", 0) == 0 && entry.path().extension() == "." + format)
+        std::filesystem::remove(entry.path());
+    }
+  }
+
   void writeTile(const std::string& name, const Tile& tile, const Points& points) {
     if (points.empty()) return;
     for (const std::string& format : config_.clouds) {
@@ -307,22 +329,15 @@ class MapExport {
     map.compose();
     if (removesDynamic()) dynamic_voxels_.clear(map);
     tell(0.9);
-    guarded("map.bt", [&] { writeOctree(map); });
-    guarded("map.pgm", [&] { writeProjectedGrid(map); });
-  }
-
-  /// What one file cannot take is no reason to leave out the others.
-  template <typename Write>
-  void guarded(const std::string& name, const Write& write) {
-    try {
-      write();
-    } catch (const std::exception& error) {
-      note(name + " was not made: " + error.what());
-    }
+    writeOctree(map);
+    writeProjectedGrid(map);
   }
 
   void writeOctree(const OccupancyMap& map) {
+    removeTiles("bt");
+    std::filesystem::remove(file("map_tiles/octomap.csv"));
     if (fitsOctree(map)) return writeOctomap(file("map.bt"), map);
+    std::filesystem::remove(file("map.bt"));
     makeFolder(file("map_tiles"));
     std::ostringstream table;
     table << "file,x,y,z\n";
@@ -340,7 +355,11 @@ class MapExport {
   }
 
   void writeProjectedGrid(const OccupancyMap& map) {
-    writeGrid(file("map"), projectedGrid(map, parameters_.occupancy.grid));
+    try {
+      writeGrid(file("map"), projectedGrid(map, parameters_.occupancy.grid));
+    } catch (const std::length_error& error) {  // no reason to leave out other files
+      note(std::string("map.pgm was not made: ") + error.what());
+    }
   }
 
   const Session& session_;
@@ -376,13 +395,16 @@ MapConsistency consistencyOf(const Session& session) {
   config.cell_size = kConsistencyCell;
   const SessionOffsets<ScanId> scans = scansOf(session.graph);
   ConsistencyBuilder builder(findRevisits(trajectoryOf(session.graph), config), config);
-  for (const SubmapClosed& submap : session.submaps)
-    if (builder.wants(submap.stamp))
-      builder.insert(
-          submap.stamp,
-          readSubmap(submapFile(session.folder, submap.id, session.info.id), {SubmapRecord::detail})
-              .detail_submap,
-          session.graph.T_map_scan.at(scans[submap.first_scan]));
+  for (const SubmapClosed& submap : session.submaps) {
+    if (!builder.wants(submap.stamp)) continue;
+    const std::string file = submapFile(session.folder, submap.id, session.info.id);
+    try {
+      builder.insert(submap.stamp, readSubmap(file, {SubmapRecord::detail}).detail_submap,
+                     session.graph.T_map_scan.at(scans[submap.first_scan]));
+    } catch (const std::runtime_error&) {
+      // It is missing or damaged, and missing in the map, too, whose export says so.
+    }
+  }
   return builder.finish();
 }
 

@@ -55,7 +55,7 @@ TEST(ProjectedGrid, ThatNoMemoryHoldsIsRefusedWithItsSize) {
   try {
     gridOf(voxels);
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const std::length_error& error) {
     EXPECT_TRUE(contains(error.what(), "1e+09 are allowed")) << error.what();
   }
 }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "revisit_slam/io/g2o.h"
 #include "revisit_slam/io/pcd.h"
@@ -85,10 +88,41 @@ TEST_F(MapExportTest, TilesTogetherAreTheMap) {
               static_cast<double>(readPcdPoints(out("map.pcd")).size()), 0.01 * points);
 }
 
-/// A drive along a wall, 25 m and back; in three of its scans somebody is in between.
+TEST_F(MapExportTest, TilesOfTheExportBeforeAreRemoved) {
+  const auto tilesOf = [&](double edge) {
+    ExportConfig config;
+    config.tile = edge;
+    makeAll(config);
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(out("map_tiles")))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  const std::set<std::string> coarse = tilesOf(100.0);
+  EXPECT_GT(tilesOf(20.0).size(), coarse.size());
+  std::ofstream(out("map_tiles/notes.txt")) << "of the user";
+  std::set<std::string> again = tilesOf(100.0);
+  EXPECT_EQ(again.erase("notes.txt"), 1u);
+  EXPECT_EQ(again, coarse);
+}
+
+/// A disk that is full, say.
+TEST_F(MapExportTest, AFileThatCannotBeWrittenIsAnError) {
+  for (const char* name : {"map.bt.part", "map.pgm.part"}) {
+    std::filesystem::create_directories(out(name) + "/in the way");
+    EXPECT_THROW(exportSession(session_, folder_.file("out")), std::runtime_error) << name;
+    std::filesystem::remove_all(out(name));
+  }
+  makeAll();
+}
+
+/// A drive along a wall, 12 m and back; in three of its scans somebody is in between.
 class WalkerDrive {
  public:
   static constexpr int kScans = 50;
+
+  /// With so many metres between scans.
+  explicit WalkerDrive(double step = 0.5) : step_(step) {}
 
   void write(const std::string& folder) {
     StoredParameters parameters;
@@ -98,13 +132,14 @@ class WalkerDrive {
     const auto keep = [&](MapUpdate update) {
       if (!update.submap) return;
       const auto closed = std::make_shared<const MapUpdate>(std::move(update));
-      writer.add(nodes, closedOf(*closed->submap, closed->detail_submap), closed);
+      writer.add(std::exchange(nodes, {}), closedOf(*closed->submap, closed->detail_submap),
+                 closed);
     };
     for (int k = 0; k < kScans; ++k) {
       RegisteredScan scan;
       scan.id = ScanId{static_cast<std::uint32_t>(k)};
       scan.stamp = Stamp::fromSeconds(100.0 + k);
-      scan.T_odom_base.translation.x() = 12.0 - std::abs(k - kScans / 2) * 0.5;
+      scan.T_odom_base.translation.x() = 12.0 - std::abs(k - kScans / 2) * step_;
       scan.sensor_base = {0.0, 0.0, 1.5};
       scan.points_base = pointsFrom(scan.T_odom_base.translation.cast<float>(), k);
       nodes.push_back({scan.id, scan.stamp, scan.T_odom_base, Matrix6::Identity()});
@@ -133,6 +168,8 @@ class WalkerDrive {
         for (float x = 6.0f; x < 6.4f; x += 0.1f) take(x, 3.05f, z);
     return points;
   }
+
+  double step_;
 };
 
 TEST_F(MapExportTest, WhatMovedIsBesideTheMapAndOutOfItsOccupancy) {
@@ -194,6 +231,15 @@ TEST_F(MapExportTest, WithoutASubmapItSaysThatThereIsNoMap) {
   ASSERT_EQ(notices.size(), 1u);
   EXPECT_TRUE(contains(notices.front(), "no submap is closed"));
   EXPECT_TRUE(std::filesystem::exists(out("trajectory.tum")));
+}
+
+TEST_F(MapExportTest, ConsistencyIsJudgedWithoutTheSubmapsThatAreMissing) {
+  WalkerDrive(4.0).write(folder_.file("walker"));
+  std::vector<std::string> notices;
+  session_ = readSession(folder_.file("walker"), notices);
+  ASSERT_FALSE(consistencyOf(session_).cells.empty());
+  std::filesystem::remove(submapFile(session_.folder, session_.submaps.back().id));
+  EXPECT_TRUE(consistencyOf(session_).cells.empty());
 }
 
 TEST_F(MapExportTest, ADriveWithoutRevisitsHasNoConsistency) {

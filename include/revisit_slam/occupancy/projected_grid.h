@@ -24,7 +24,7 @@ struct ProjectedGrid {
 /// Heights are counted from the top of the ground's voxel (GroundHeights), not from the map's zero.
 /// A column with an occupied voxel in the band is occupied, else one with a free voxel there is
 /// free. Where levels lie above each other the lowest is shown.
-/// @throws std::runtime_error where there would be more than `most_cells`, of one byte each.
+/// @throws std::length_error where there would be more than `most_cells`, of one byte each.
 ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& config,
                             double most_cells = 1e9);
 

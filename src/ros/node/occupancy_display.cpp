@@ -19,7 +19,7 @@ template <typename Publish>
 void publishWhereItFits(const Publish& publish) {
   try {
     publish();
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     ROS_WARN_THROTTLE(60.0, "not published: %s", error.what());
   }
 }
