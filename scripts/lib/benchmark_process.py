@@ -38,7 +38,7 @@ def used_seconds() -> float:
 
 
 def run(command: Sequence[Any], log: Path, timeout: float) -> Outcome:
-    """Ends the program and its children after `timeout` seconds."""
+    """Ends the program and its children after `timeout` seconds, or where it is interrupted."""
     log.parent.mkdir(parents=True, exist_ok=True)
     used, start = used_seconds(), time.monotonic()
     with open(str(log), "w") as file:
@@ -50,13 +50,17 @@ def run(command: Sequence[Any], log: Path, timeout: float) -> Outcome:
             start_new_session=True,
         )
         timed_out = False
-        done, status, usage = os.wait4(process.pid, os.WNOHANG)
-        while not done:
-            time.sleep(0.1)
-            if not timed_out and time.monotonic() - start > timeout:
-                os.killpg(process.pid, signal.SIGKILL)
-                timed_out = True
+        try:
             done, status, usage = os.wait4(process.pid, os.WNOHANG)
+            while not done:
+                time.sleep(0.1)
+                if not timed_out and time.monotonic() - start > timeout:
+                    os.killpg(process.pid, signal.SIGKILL)
+                    timed_out = True
+                done, status, usage = os.wait4(process.pid, os.WNOHANG)
+        except BaseException:  # Ctrl-C, which does not reach the program's own session
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
     process.returncode = status
     wall, cpu = time.monotonic() - start, usage.ru_utime + usage.ru_stime
     others = (used_seconds() - used - cpu) / (wall * len(processors()))

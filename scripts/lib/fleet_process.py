@@ -33,8 +33,10 @@ class Usage(NamedTuple):
     peak_memory_mb: float
 
 
-def die_with_parent() -> None:
-    """A worker that is killed leaves no program behind, which would go on writing."""
+def live_with_parent() -> None:
+    """A worker that is killed leaves no program behind, which would go on writing; and what is typed
+    in a terminal is for the fleet, which ends its programs."""
+    os.setpgrp()
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
@@ -55,7 +57,7 @@ def run(command: Sequence[Any], log: Path, limits: Limits) -> Usage:
             stdin=subprocess.DEVNULL,
             stdout=file,
             stderr=subprocess.STDOUT,
-            preexec_fn=die_with_parent,
+            preexec_fn=live_with_parent,
         )
         done, status, usage = os.wait4(process.pid, os.WNOHANG)
         while not done:

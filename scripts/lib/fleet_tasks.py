@@ -65,6 +65,12 @@ class Context:
             raise Transient(f"{socket.gethostname()} has another version of {name}")
         return path
 
+    def local_bag(self, number: int, url: str) -> Path:
+        """Bags of other folders may have the same name."""
+        folder = self.scratch / f"bag_{number}"
+        folder.mkdir()
+        return localised(url, folder)
+
     def parameters(self) -> List[str]:
         """With files where this worker can read them."""
         words = list(self.site.parameters)
@@ -79,8 +85,8 @@ class Context:
         self.usage.append(usage)
         if usage.exceeded:
             raise Transient(f"{name}: {usage.exceeded}")
-        if usage.status < 0:
-            raise Transient(f"{name}: ended by signal {-usage.status}")
+        if usage.status < 0 or usage.status > 128:  # of programs that catch it
+            raise Transient(f"{name}: ended by signal {abs(usage.status) % 128}")
         if usage.status > 0:
             raise Refused(name, " / ".join(last_lines(self.log)))
 
@@ -147,6 +153,12 @@ def parameter_key(site: Site, *programs: str) -> List[Any]:
     return [list(site.parameters), sorted(site.parameter_files.items()), versions]
 
 
+def options_key(recording: Recording) -> List[Any]:
+    """With what is in the files that the options name."""
+    files = [Path(word) for word in recording.options if Path(word).is_file()]
+    return [list(recording.options), [digest_of_file(file) for file in files]]
+
+
 def map_recording(site: Site, recording: Recording) -> Record:
     try:
         content = content_of(site, recording)
@@ -156,15 +168,15 @@ def map_recording(site: Site, recording: Recording) -> Record:
             name=recording.name, kind="map", key="", status=FAILED, reason=reason, resumed=False
         )
     key = digest_of(
-        ["map", recording.name, content, list(recording.options)]
+        ["map", recording.name, content, *options_key(recording)]
         + parameter_key(site, "offline", "fleet_step")
     )
 
     def work(context: Context) -> Dict[str, Any]:
         out, summary = context.scratch / "session", context.scratch / "summary.rss"
         words: List[Any] = ["--quiet", "--threads", 1, "--out", out]
-        for bag in recording.bags:
-            words += ["--bag", localised(bag, context.scratch)]
+        for number, bag in enumerate(recording.bags):
+            words += ["--bag", context.local_bag(number, bag)]
         context.run("offline", [*words, *context.parameters(), *recording.options])
         context.run("fleet_step", ["summarise", out, "--name", recording.name, "--out", summary])
         run_file = json.loads((out / "run.json").read_text())

@@ -35,6 +35,10 @@ PHASES = ("sessions", "laps", "rest")  # of the life of a process, which ends wi
 PATIENCE = 120.0  # s, for what was sent to be accounted for
 
 
+class ProcessEnded(RuntimeError):
+    """Without having been killed."""
+
+
 class SentCloud(PointCloud2):
     """A cloud that is sent as the bytes that it is."""
 
@@ -145,11 +149,8 @@ class Soak:
         self.peak = 0.0  # MB
         self.p99s: List[float] = []
         self.log = open(self.work / "slam.log", "wb")
-        self.start_master()
-        rospy.init_node("soak", anonymous=True, disable_signals=True, log_level=rospy.FATAL)
-        self.odometry = Odometry()
-        self.publisher = rospy.Publisher("/points", PointCloud2, queue_size=10000)
-        self.start()
+        self.slam: Optional[subprocess.Popen] = None
+        self.master: Optional[subprocess.Popen] = None
 
     # The processes.
 
@@ -195,7 +196,7 @@ class Soak:
             if condition():
                 return True
             if self.slam.poll() is not None and what != "the end":
-                raise SystemExit(f"error: the process has ended, see {self.work}/slam.log")
+                raise ProcessEnded(f"the process has ended, see {self.work}/slam.log")
             time.sleep(0.05)
         return False
 
@@ -353,6 +354,13 @@ class Soak:
             event()
         self.note_slope(phase)
 
+    def begin(self) -> None:
+        self.start_master()
+        rospy.init_node("soak", anonymous=True, disable_signals=True, log_level=rospy.FATAL)
+        self.odometry = Odometry()
+        self.publisher = rospy.Publisher("/points", PointCloud2, queue_size=10000)
+        self.start()
+
     def run(self) -> int:
         lives = max(1, round(self.arguments.hours / self.arguments.life))
         for life in range(lives):
@@ -394,7 +402,7 @@ class Soak:
 
     def stop(self) -> None:
         for process in (self.slam, self.master):
-            if process.poll() is None:
+            if process and process.poll() is None:
                 os.killpg(process.pid, signal.SIGTERM)
                 try:
                     process.wait(20.0)
@@ -420,11 +428,16 @@ def main() -> None:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # leaves nothing behind
     soak = Soak(arguments)
     try:
-        status = soak.run()
-    except (KeyboardInterrupt, SystemExit):
-        print("interrupted:", flush=True)
-        soak.report()
-        status = 128 + signal.SIGINT
+        soak.begin()
+        try:
+            status = soak.run()
+        except (KeyboardInterrupt, SystemExit):
+            print("interrupted:", flush=True)
+            soak.report()
+            status = 128 + signal.SIGINT
+    except ProcessEnded as error:
+        print(f"error: {error}", flush=True)
+        status = 1
     finally:
         soak.stop()
     sys.exit(status)
