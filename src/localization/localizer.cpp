@@ -45,7 +45,7 @@ Localizer::Localizer(const LocalizerConfig& config, PriorMapPtr map)
       map_(std::move(map)),
       matcher_(map_, config.loops.closer, config.information, config.localization.min_overlap),
       places_(map_, config.loops.recognition),
-      recent_(config.submap_voxel_size, config.localization.search_length),
+      recent_(config.submap_voxel_size, config.localization.search_length, config.scale),
       window_(config.backend) {
   if (const std::optional<Pose> start = revisit_slam::startPose(config.localization.start, *map_))
     startAt(*start);
@@ -55,35 +55,45 @@ void Localizer::startAt(const Pose& T_map_base) {
   start_ = T_map_base * T_odom_base_.inverse();
   now_.state = LocalizationState::candidate;
   now_.T_map_odom = *start_;
+  covariance_ = PoseCovariance(guessCovariance());
   started_at_ = recent_.travelled();
   attempted_at_ = -config_.localization.interval;  // at once
 }
 
 Localization Localizer::add(const InformedScan& informed) {
   const RegisteredScan& scan = *informed.scan;
-  if (!has_scans_ || now_.scan.session != scan.id.session) {
-    beginSession(informed);
-  } else if (now_.scan == scan.id) {  // the base rests
-    now_.attempted = false;
-    now_.stamp = scan.stamp;
-    return now_;
-  } else {
-    covariance_.move(T_odom_base_.inverse() * scan.T_odom_base, informed.covariance_motion);
-  }
-  now_.scan = scan.id;
+  const bool rests = has_scans_ && now_.scan == scan.id;
   now_.stamp = scan.stamp;
   now_.attempted = false;
-  T_odom_base_ = scan.T_odom_base;
-  window_.add(nodeOf(informed));
-  window_.shorten(config_.localization.window);
-  if (++scans_ > kBentScans) {
-    recent_.insert(scan);
-    attempt();
-  }
+  if (!rests) go(informed);
+  if (scans_ > kBentScans && (!rests || start_)) attempt();
   now_.T_map_base = now_.T_map_odom * T_odom_base_;
   now_.since_fix = recent_.travelled() - fixed_at_;
   now_.covariance = covariance_.base();
   return now_;
+}
+
+void Localizer::go(const InformedScan& informed) {
+  const RegisteredScan& scan = *informed.scan;
+  if (!has_scans_ || now_.scan.session != scan.id.session)
+    beginSession(informed);
+  else
+    covariance_.move(T_odom_base_.inverse() * scan.T_odom_base, informed.covariance_motion);
+  now_.scan = scan.id;
+  T_odom_base_ = scan.T_odom_base;
+  window_.add(nodeOf(informed));
+  window_.shorten(config_.localization.window);
+  if (++scans_ > kBentScans) recent_.insert(scan);
+}
+
+/// Of a place that may be as far off as a registration may move it.
+Matrix6 Localizer::guessCovariance() const {
+  const LoopCloserConfig& closer = config_.loops.closer;
+  const double rotation = closer.max_rotation * M_PI / 180.0;
+  Matrix6 covariance = Matrix6::Zero();
+  covariance.diagonal().head<3>().setConstant(closer.max_translation * closer.max_translation);
+  covariance.diagonal().tail<3>().setConstant(rotation * rotation);
+  return covariance;
 }
 
 /// Another session has an odometry frame of its own; the base has gone on from where it was.
@@ -91,20 +101,18 @@ void Localizer::beginSession(const InformedScan& informed) {
   const bool is_first = !has_scans_;
   const bool was_known = has_scans_ && now_.state != LocalizationState::searching;
   const Pose T_map_base = now_.T_map_odom * T_odom_base_;
-  recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length);
+  recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length, config_.scale);
   window_ = PoseWindow(config_.backend);
   hypotheses_.clear();
-  covariance_ = PoseCovariance();
   fixed_at_ = searched_at_ = started_at_ = 0.0;
   scans_ = 0;
   attempted_at_ = -config_.localization.interval;  // at once
   has_scans_ = true;
   T_odom_base_ = informed.scan->T_odom_base;
-  if (is_first && start_) now_.T_map_odom = *(start_ = *start_ * T_odom_base_.inverse());
-  if (was_known) {
-    now_.state = LocalizationState::lost;
-    now_.T_map_odom = T_map_base * T_odom_base_.inverse();
-  }
+  if (is_first && start_) now_.T_map_odom = *start_ * T_odom_base_.inverse();
+  if (was_known) now_.T_map_odom = T_map_base * T_odom_base_.inverse();
+  if (start_) start_ = now_.T_map_odom;
+  if (now_.state == LocalizationState::localized) now_.state = LocalizationState::lost;
 }
 
 bool Localizer::isDue(double& last, double interval) const {
@@ -162,7 +170,8 @@ void Localizer::track() {
     tryPlace(open, T_map_base);
     return;
   }
-  const MapMatch match = matcher_.track(open, T_map_base, recent_.travelled() - fixed_at_);
+  const MapMatch match =
+      matcher_.track(open, T_map_base, recent_.travelled() - fixed_at_, covariance_.base());
   note(match);
   if (match.accepted) believe(match);
 }
@@ -184,7 +193,10 @@ void Localizer::tryPlace(const SubmapPtr& open, const Pose& T_map_base) {
   if (agreesWithAny(T_map_odom)) return believe(match);
   hypotheses_.push_back({T_map_odom, recent_.travelled()});
   if (now_.state == LocalizationState::searching) now_.state = LocalizationState::candidate;
-  if (now_.state == LocalizationState::candidate && !start_) now_.T_map_odom = T_map_odom;
+  if (now_.state == LocalizationState::candidate && !start_) {
+    now_.T_map_odom = T_map_odom;
+    covariance_ = PoseCovariance(guessCovariance());
+  }
 }
 
 bool Localizer::agreesWithAny(const Pose& T_map_odom) const {
@@ -194,9 +206,12 @@ bool Localizer::agreesWithAny(const Pose& T_map_odom) const {
 
 /// Whether the odometry carries the hypothesis there, as far as it can be trusted.
 bool Localizer::agrees(const Hypothesis& hypothesis, const Pose& T_map_odom) const {
+  const LocalizationConfig& config = config_.localization;
   const double apart = recent_.travelled() - hypothesis.travelled;
-  if (apart < config_.localization.interval || apart > config_.localization.search_length)
-    return false;
+  // The next attempts come at least, however rare they are.
+  const double farthest =
+      std::max(config.search_length, 2.5 * std::max(config.interval, config.search_interval));
+  if (apart < config.interval || apart > farthest) return false;
   const PairwiseConsistencyConfig& consistency = config_.loops.closer.consistency;
   const Pose difference =
       (hypothesis.T_map_odom * T_odom_base_).inverse() * (T_map_odom * T_odom_base_);

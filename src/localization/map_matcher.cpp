@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/localization/map_matcher.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -26,6 +27,12 @@ LoopCloserConfig withoutCoarseLevels(LoopCloserConfig config) {
   return config;
 }
 
+/// Along any axis.
+double largestDeviation(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+}
+
 /// From one pose to another.
 struct Moved {
   Moved(const Pose& from, const Pose& to) {
@@ -34,8 +41,8 @@ struct Moved {
     degrees = T_from_to.angle() * 180.0 / M_PI;
   }
 
-  bool isWithin(double most_metres, double most_degrees) const {
-    return metres <= most_metres && degrees <= most_degrees;
+  bool isWithin(const MapMatcher::Reach& most) const {
+    return metres <= most.metres && degrees <= most.degrees;
   }
 
   double metres, degrees;
@@ -93,20 +100,23 @@ MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
 }
 
 /// Rivals that the odometry rules out are not looked for: that takes as long as the registration.
-MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double travelled) {
+MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double travelled,
+                           const Matrix6& covariance) {
+  const PairwiseConsistencyConfig& limits = config_.consistency;
+  Reach reach{limits.reach(travelled), limits.rotation + limits.rotation_drift * travelled};
+  reach.metres = std::max(reach.metres, 3.0 * largestDeviation(covariance.topLeftCorner<3, 3>()));
+  reach.degrees = std::max(
+      reach.degrees, 3.0 * 180.0 / M_PI * largestDeviation(covariance.bottomRightCorner<3, 3>()));
   LoopCloserConfig config = withoutCoarseLevels(config_);
-  config.max_translation = std::min(config.max_translation, config_.consistency.reach(travelled));
+  config.max_translation = std::min(config.max_translation, reach.metres);
   tracking_.reconfigure(config);
-  return follow(tracking_, open, T_map_open, travelled);
+  return follow(tracking_, open, T_map_open, reach);
 }
 
 MapMatch MapMatcher::follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
-                            double travelled) const {
+                            const Reach& reach) const {
   MapMatch match = this->match(closer, open, T_map_open);
-  const PairwiseConsistencyConfig& limits = config_.consistency;
-  const Moved moved(T_map_open, match.T_map_open);
-  if (match.accepted &&
-      !moved.isWithin(limits.reach(travelled), limits.rotation + limits.rotation_drift * travelled))
+  if (match.accepted && !Moved(T_map_open, match.T_map_open).isWithin(reach))
     reject("the registration contradicts the odometry", match);
   return match;
 }
@@ -114,9 +124,10 @@ MapMatch MapMatcher::follow(const LoopCloser& closer, const SubmapPtr& open, con
 MapMatch MapMatcher::relocate(const SubmapPtr& open, const Pose& T_map_open) const {
   MapMatch first = match(coarse_to_fine_, open, T_map_open);
   if (!first.registered) return first;
-  MapMatch match = follow(fine_, open, first.T_map_open, 0.0);
-  if (match.accepted &&
-      !Moved(T_map_open, match.T_map_open).isWithin(config_.max_translation, config_.max_rotation))
+  const PairwiseConsistencyConfig& limits = config_.consistency;
+  MapMatch match = follow(fine_, open, first.T_map_open, {limits.reach(0.0), limits.rotation});
+  if (match.accepted && !Moved(T_map_open, match.T_map_open)
+                             .isWithin({config_.max_translation, config_.max_rotation}))
     reject("the registration left the guess", match);
   return match;
 }

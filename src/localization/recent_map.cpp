@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "revisit_slam/mapping/normals.h"
+#include "revisit_slam/mapping/viewpoints.h"
 
 namespace revisit_slam {
 
@@ -15,10 +16,13 @@ void RecentMap::insert(const RegisteredScan& scan) {
   travelled_.go(scan.T_odom_base.translation);
   newest_ = scan.id;
   T_odom_newest_ = scan.T_odom_base;
+  sensor_base_ = scan.sensor_base;
   if (!begins && travelled() - added_at_ < spacing) return;
   added_at_ = travelled();
   if (open_.T_odom_scan.empty()) {
     open_.begin = travelled();
+    open_.scale = scale_.scaleOf(scan.voxel_size);
+    grid_ = VoxelMeanGrid(open_.scale * voxel_size_);
     open_.T_odom_slice = scan.T_odom_base;
   }
   open_.T_odom_scan.push_back(scan.T_odom_base);
@@ -38,7 +42,7 @@ double RecentMap::kept() const {
 }
 
 VoxelMeanGrid RecentMap::joined(double metres) const {
-  VoxelMeanGrid grid(voxel_size_);
+  VoxelMeanGrid grid(slices_.back().scale * voxel_size_);
   for (const Slice& slice : slices_)
     if (slice.begin >= travelled() - metres || &slice == &slices_.back())
       grid.insert(slice.points, T_odom_newest_.inverse() * slice.T_odom_slice);
@@ -60,6 +64,8 @@ Submap RecentMap::submap(double metres) const {
   VoxelMeans means = joined(metres).take();
   submap.normals = estimateNormals(means);
   submap.points = std::move(means.points);
+  submap.scale = slices_.back().scale;
+  turnToViewpoints(sensor_base_, submap);
   return submap;
 }
 

@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/mapping/submap_builder.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "revisit_slam/mapping/normals.h"
+#include "revisit_slam/mapping/viewpoints.h"
 
 namespace revisit_slam {
-namespace {
-
-/// m, between the places that a submap is taken to be seen from.
-constexpr double kViewpointSpacing = 1.0;
-
-/// Turns each normal to the nearest place that the sensor was at. Wall and slab have two sides, one
-/// a wall's thickness behind the other: the normal tells which of them was seen.
-void turnToViewpoints(Submap& submap, const Eigen::Vector3d& sensor_base) {
-  Points viewpoints;
-  for (const Pose& T_submap_scan : submap.T_submap_scan) {
-    const Eigen::Vector3f viewpoint = (T_submap_scan * sensor_base).cast<float>();
-    if (viewpoints.empty() || (viewpoint - viewpoints.back()).norm() > kViewpointSpacing)
-      viewpoints.push_back(viewpoint);
-  }
-  for (std::size_t i = 0; i < submap.points.size(); ++i) {
-    const Eigen::Vector3f& point = submap.points[i];
-    const auto nearest =
-        std::min_element(viewpoints.begin(), viewpoints.end(),
-                         [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-                           return (a - point).squaredNorm() < (b - point).squaredNorm();
-                         });
-    if (submap.normals[i].dot(*nearest - point) < 0.0f) submap.normals[i] = -submap.normals[i];
-  }
-}
-
-}  // namespace
 
 void Travel::start(const Pose& T_odom_base) {
   start_odom_ = T_odom_base.translation;
@@ -80,7 +54,7 @@ Submap SubmapBuilder::close(SubmapId id, LocalMapId local_map) {
   closed.stamps.shrink_to_fit();
   closed.normals = estimateNormals(means);
   closed.points = std::move(means.points);
-  turnToViewpoints(closed, sensor_base_);
+  turnToViewpoints(sensor_base_, closed);
   return closed;
 }
 

@@ -5,8 +5,12 @@ namespace revisit_slam {
 namespace {
 
 LocalizerConfig localizerConfig(const SlamConfig& config) {
-  return {config.localization, config.loops, config.information, config.backend,
-          config.mapping.submap_voxel_size};
+  return {config.localization,
+          config.loops,
+          config.information,
+          config.backend,
+          config.mapping.submap_voxel_size,
+          {config.mapping.follow_scale, config.odometry.map.voxel_size}};
 }
 
 }  // namespace

@@ -22,9 +22,6 @@ RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
   return thinned;
 }
 
-/// Maps of half the size, as in garages, keep their voxels: with 16 beams finer ones are sparse.
-constexpr double kFineness = 2.0;
-
 std::size_t bytesOf(int megabytes) {
   return static_cast<std::size_t>(megabytes) * 1'000'000;
 }
@@ -34,7 +31,7 @@ std::size_t bytesOf(int megabytes) {
 MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
     : mapping_(config.mapping),
       occupancy_(config.occupancy),
-      largest_voxel_size_(config.odometry.map.voxel_size),
+      scale_{config.mapping.follow_scale, config.odometry.map.voxel_size},
       building_(building),
       searching_(searching),
       outputs_(std::move(outputs)),
@@ -93,9 +90,8 @@ void MapManager::build(const RegisteredScan& scan, const Unsure& unsure) {
 /// What a submap takes over that begins with this scan.
 SubmapStart MapManager::startWith(const RegisteredScan& scan, const Unsure& unsure) {
   SubmapStart start;
-  if (mapping_.follow_scale && scan.voxel_size > 0.0)
-    start.size = std::min(1.0, scan.voxel_size / largest_voxel_size_);
-  start.scale = std::min(1.0, kFineness * start.size);
+  start.size = scale_.sizeOf(scan.voxel_size);
+  start.scale = scale_.scaleOf(scan.voxel_size);
   const double step = (scan.T_odom_base.translation - position_odom_).norm();
   position_odom_ = scan.T_odom_base.translation;
   unsure_.weak += unsure.weak * step;

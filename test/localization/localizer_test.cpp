@@ -29,6 +29,19 @@ class LocalizerTest : public testing::Test {
     return (now.T_map_base.translation - (T_map_street() * T_street_base).translation).norm();
   }
 
+  static InformedScan inSession(std::uint32_t session, InformedScan informed) {
+    auto scan = std::make_shared<RegisteredScan>(*informed.scan);
+    scan->id.session.value = session;
+    informed.scan = scan;
+    return informed;
+  }
+  static InformedScan withoutPoints(InformedScan informed) {
+    auto scan = std::make_shared<RegisteredScan>(*informed.scan);
+    scan->points_base.clear();
+    informed.scan = scan;
+    return informed;
+  }
+
   LocalizerConfig config_;
 };
 
@@ -105,18 +118,72 @@ TEST_F(LocalizerTest, AfterAWayThroughTheUnknownItIsLostAndFoundAgain) {
 TEST_F(LocalizerTest, AnotherSessionGoesOnWhereTheOneBeforeEnded) {
   Localizer localizer(config_, streetMap());
   localizer.startAt(start(0.0));
-  for (const InformedScan& scan : scansAlong(way(30))) localizer.add(scan);
   Localization now;
+  for (const InformedScan& scan : scansAlong(way(30))) now = localizer.add(scan);
+  const Matrix6 covariance = now.covariance;
   const std::vector<Pose> way = this->way(30, 50);
-  for (const InformedScan& informed : scansAlong(way)) {
-    auto scan = std::make_shared<RegisteredScan>(*informed.scan);
-    scan->id.session.value = 1;
-    InformedScan next = informed;
-    next.scan = scan;
-    now = localizer.add(next);
+  const std::vector<InformedScan> scans = scansAlong(way);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    now = localizer.add(inSession(1, scans[i]));
+    if (i == 0) {
+      EXPECT_EQ(now.state, LocalizationState::lost);
+      EXPECT_EQ(now.covariance, covariance);
+    }
   }
   EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
   EXPECT_LT(errorAt(now, way.back()), 0.1);
+}
+
+/// Nothing is in view until another session begins, 20 m on.
+TEST_F(LocalizerTest, APoseThatWasDrawnIsCarriedIntoAnotherSession) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  Localization now;
+  for (const InformedScan& scan : scansAlong(way(30))) now = localizer.add(withoutPoints(scan));
+  EXPECT_EQ(now.state, LocalizationState::candidate);
+  EXPECT_GT(now.covariance(0, 0), 1.0);
+  const std::vector<Pose> way = this->way(30, 50);
+  const std::vector<InformedScan> scans = scansAlong(way);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    now = localizer.add(inSession(1, scans[i]));
+    EXPECT_EQ(now.state, i < kStands ? LocalizationState::candidate : LocalizationState::localized)
+        << i << " " << now.reason;
+    EXPECT_LT(errorAt(now, way[i]), 0.1) << i;
+  }
+}
+
+TEST_F(LocalizerTest, APoseIsConfirmedWhileTheBaseStands) {
+  Localizer localizer(config_, streetMap());
+  const std::vector<Pose> way = this->way(20);
+  const std::vector<InformedScan> scans = scansAlong(way);
+  for (const InformedScan& scan : scans) localizer.add(scan);
+  EXPECT_EQ(localizer.add(scans.back()).state, LocalizationState::searching);
+  localizer.startAt(T_map_street() * way.back());
+  const Localization now = localizer.add(scans.back());
+  EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
+  EXPECT_LT(errorAt(now, way.back()), 0.1);
+  const Pose T_map_base = now.T_map_odom * scans.back().scan->T_odom_base;
+  EXPECT_EQ(now.T_map_base.translation, T_map_base.translation);
+  EXPECT_FALSE(localizer.add(scans.back()).attempted);
+}
+
+/// However rare attempts are, the one after next can confirm what the first has found.
+TEST_F(LocalizerTest, RareAttemptsConfirmEachOther) {
+  config_.localization.interval = config_.localization.search_length = 10.0;
+  config_.localization.lost_after = 15.0;
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(T_map_street() * poseAt(0.0, 1.0));
+  std::vector<Pose> way(kStands, poseAt(0.0, 1.0));
+  for (double x = 0.0; x < 60.0; x += 1.5) way.push_back(poseAt(x, 1.0));  // attempts: 10.5 m
+  const std::vector<InformedScan> scans = scansAlong(way);
+  std::vector<LocalizationState> states;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const bool sees = i < 8 || i > 27;
+    states.push_back(localizer.add(sees ? scans[i] : withoutPoints(scans[i])).state);
+  }
+  EXPECT_EQ(states[8], LocalizationState::localized);
+  EXPECT_EQ(states[27], LocalizationState::lost);
+  EXPECT_EQ(states.back(), LocalizationState::localized);
 }
 
 }  // namespace

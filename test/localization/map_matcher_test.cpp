@@ -51,5 +51,15 @@ TEST_F(MapMatcherTest, FarFromTheWayThereIsNoMap) {
   EXPECT_EQ(matcher_.track(open_, off(truth(), 1000.0, 0.0), 5.0).reason, "off the map");
 }
 
+TEST_F(MapMatcherTest, WhereTheOdometryWasLostTheRegistrationMayEndFartherOff) {
+  const Pose guess = off(truth(), 0.7, 1.5);
+  EXPECT_FALSE(matcher_.track(open_, guess, 5.0).accepted);
+  Matrix6 covariance = Matrix6::Zero();
+  covariance.diagonal() << 0.25, 0.25, 0.25, 1e-3, 1e-3, 1e-3;
+  const MapMatch match = matcher_.track(open_, guess, 5.0, covariance);
+  ASSERT_TRUE(match.accepted) << match.reason;
+  EXPECT_LT((match.T_map_open.translation - truth().translation).norm(), 0.03);
+}
+
 }  // namespace
 }  // namespace revisit_slam

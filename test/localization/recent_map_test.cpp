@@ -57,5 +57,41 @@ TEST_F(RecentMapTest, ASubmapIsWhatTheScansAddUpTo) {
               0.1 * static_cast<double>(direct.size()));
 }
 
+/// The base is on the ground, and the sensor above it.
+TEST_F(RecentMapTest, NormalsPointToWhereTheSurfaceWasSeenFrom) {
+  for (const InformedScan& informed : scansAlong(drive(0, 20))) {
+    RegisteredScan scan = *informed.scan;
+    scan.sensor_base = {0.0, 0.0, 1.5};
+    for (Eigen::Vector3f& p : scan.points_base) p.z() += 1.5f;
+    recent_.insert(scan);
+  }
+  recent_.cut();
+  const Submap submap = recent_.submap(20.0);
+  std::size_t ground = 0;
+  for (std::size_t i = 0; i < submap.points.size(); ++i) {
+    const Eigen::Vector3f& p = submap.points[i];
+    const bool is_near = p.x() > -20.0f && p.x() < 0.0f && std::abs(p.y()) < 6.0f;
+    if (!is_near || std::abs(p.z()) > 0.1f || std::abs(submap.normals[i].z()) < 0.9f) continue;
+    ++ground;
+    EXPECT_GT(submap.normals[i].z(), 0.0f) << i;
+  }
+  EXPECT_GT(ground, 200u);
+}
+
+TEST_F(RecentMapTest, FollowsTheSizeOfThePlaceAsTheMapDoes) {
+  RecentMap fine{0.5, 30.0, {true, 0.7}};
+  for (const InformedScan& informed : scansAlong(drive(0, 20))) {
+    RegisteredScan scan = *informed.scan;
+    scan.voxel_size = 0.175;
+    fine.insert(scan);
+    recent_.insert(scan);
+  }
+  fine.cut();
+  recent_.cut();
+  EXPECT_EQ(fine.submap(20.0).scale, 0.5);
+  EXPECT_EQ(recent_.submap(20.0).scale, 1.0);
+  EXPECT_GT(fine.submap(20.0).points.size(), 3 * recent_.submap(20.0).points.size() / 2);
+}
+
 }  // namespace
 }  // namespace revisit_slam

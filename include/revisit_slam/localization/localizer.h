@@ -23,6 +23,7 @@ struct LocalizerConfig {
   InformationConfig information;
   BackEndConfig backend;
   double submap_voxel_size = 0.5;  ///< m
+  MapScale scale;
 };
 
 /// Follows a drive through the map of an earlier session. The last metres are registered to the map
@@ -48,6 +49,8 @@ class Localizer {
   };
 
   void beginSession(const InformedScan& informed);
+  void go(const InformedScan& informed);
+  Matrix6 guessCovariance() const;
   void attempt();
   void track();
   void searchPlaces();

@@ -26,20 +26,27 @@ struct MapMatch {
 /// a loop whose place something else speaks for. Runs in the current TBB arena.
 class MapMatcher {
  public:
+  /// How far a registration may end from its guess.
+  struct Reach {
+    double metres, degrees;
+  };
+
   /// `min_overlap`: LocalizationConfig::min_overlap.
   MapMatcher(PriorMapPtr map, LoopCloserConfig closer, const InformationConfig& information,
              double min_overlap);
 
   /// From where the odometry has carried the last fix, `travelled` m ago: the registration may
-  /// differ by no more than two loops of the same maps may (PairwiseConsistencyConfig).
-  MapMatch track(const SubmapPtr& open, const Pose& T_map_open, double travelled);
+  /// differ by no more than two loops of the same maps may (PairwiseConsistencyConfig), or by
+  /// three standard deviations of where it has carried it: the odometry knows if it was lost.
+  MapMatch track(const SubmapPtr& open, const Pose& T_map_open, double travelled,
+                 const Matrix6& covariance = Matrix6::Zero());
   /// From a guess that is off by metres: where a registration from it ends is the guess of a second
   /// one, which has to stay there.
   MapMatch relocate(const SubmapPtr& open, const Pose& T_map_open) const;
 
  private:
   MapMatch follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
-                  double travelled) const;
+                  const Reach& reach) const;
   MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open) const;
   std::vector<PlacedSubmap> near(const Eigen::Vector3d& position) const;
 

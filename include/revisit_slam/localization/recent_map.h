@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "revisit_slam/mapping/map_scale.h"
 #include "revisit_slam/mapping/voxel_mean_grid.h"
 #include "revisit_slam/types/registered_scan.h"
 #include "revisit_slam/types/submap.h"
@@ -15,8 +16,9 @@ namespace revisit_slam {
 /// last metres can be had as one submap. Of scans within a metre the first is enough.
 class RecentMap {
  public:
-  /// Keeps `length` m; voxels have an edge of `voxel_size` m.
-  RecentMap(double voxel_size, double length) : voxel_size_(voxel_size), length_(length) {}
+  /// Keeps `length` m; voxels have an edge of `voxel_size` m in places of full size.
+  RecentMap(double voxel_size, double length, const MapScale& scale = {})
+      : voxel_size_(voxel_size), length_(length), scale_(scale) {}
 
   /// Scans of one session, in order.
   void insert(const RegisteredScan& scan);
@@ -37,6 +39,7 @@ class RecentMap {
  private:
   struct Slice {
     double begin = 0.0;  // m, travelled
+    double scale = 1.0;  // of its voxels
     Pose T_odom_slice;
     std::vector<Pose> T_odom_scan;
     std::vector<Stamp> stamps;
@@ -46,10 +49,12 @@ class RecentMap {
   VoxelMeanGrid joined(double metres) const;
 
   double voxel_size_, length_;
+  MapScale scale_;
   TravelledDistance travelled_;
   bool has_scans_ = false;
   ScanId newest_;
   Pose T_odom_newest_;
+  Eigen::Vector3d sensor_base_ = Eigen::Vector3d::Zero();
   double added_at_ = 0.0;  // m, travelled: the newest scan whose points were added
   std::deque<Slice> slices_;
   Slice open_;

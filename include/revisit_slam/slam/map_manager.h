@@ -10,6 +10,7 @@
 #include <string>
 
 #include "revisit_slam/mapping/map_builder.h"
+#include "revisit_slam/mapping/map_scale.h"
 #include "revisit_slam/slam/loop_closing.h"
 #include "revisit_slam/slam/session_order.h"
 #include "revisit_slam/slam/slam_config.h"
@@ -79,7 +80,7 @@ class MapManager {
 
   const MappingConfig mapping_;
   const OccupancyConfig occupancy_;
-  const double largest_voxel_size_;  // m, of the odometry
+  const MapScale scale_;
   Lane &building_, &searching_;
   const Outputs outputs_;
   MapManagerCount count_;
