@@ -30,7 +30,7 @@ LocalizationNodelet::~LocalizationNodelet() {
 
 void LocalizationNodelet::start() {
   try {
-    stage_ = readMap(config_.localization.map);
+    stage_ = readMap(config_.localization.map, config_.localization.start);
   } catch (const std::runtime_error& error) {
     throw ParameterError("localization/map = '" + config_.localization.map + "': " + error.what());
   }
@@ -52,9 +52,10 @@ void LocalizationNodelet::start() {
       [this](const std::string& folder, LoadMap::Response& response) { load(folder, response); });
 }
 
-std::unique_ptr<LocalizationStage> LocalizationNodelet::readMap(const std::string& folder) const {
+std::unique_ptr<LocalizationStage> LocalizationNodelet::readMap(const std::string& folder,
+                                                                const std::string& start) const {
   SlamConfig config = config_;
-  if (folder != config.localization.map) config.localization.start.clear();
+  config.localization.start = start;
   config.localization.map = folder;
   std::vector<std::string> notices;
   auto stage = std::make_unique<LocalizationStage>(config, notices);
@@ -66,7 +67,8 @@ std::unique_ptr<LocalizationStage> LocalizationNodelet::readMap(const std::strin
 
 /// In the thread of the service. It answers when the map is in use.
 void LocalizationNodelet::load(const std::string& folder, LoadMap::Response& response) {
-  std::unique_ptr<LocalizationStage> stage = readMap(folder);
+  std::unique_ptr<LocalizationStage> stage =
+      readMap(folder, "");  // the start was of the first scan
   response.submaps = static_cast<std::uint32_t>(stage->map().submaps.size());
   response.places = static_cast<std::uint32_t>(stage->map().places.size());
   const auto task = std::make_shared<std::packaged_task<void()>>([&] { change(std::move(stage)); });

@@ -25,7 +25,8 @@ class LocalizationNodelet : public SlamNodelet {
   void advertise(ros::NodeHandle& node);
   void subscribe(ros::NodeHandle& node);
   void diagnose(diagnostic_msgs::DiagnosticStatus& status) override;
-  std::unique_ptr<LocalizationStage> readMap(const std::string& folder) const;
+  std::unique_ptr<LocalizationStage> readMap(const std::string& folder,
+                                             const std::string& start) const;
   void load(const std::string& folder, LoadMap::Response& response);
 
   // In the lane.
