@@ -20,6 +20,15 @@ Pose turnedBy(double degrees) {
   return {expSO3({0.0, 0.0, degrees * M_PI / 180.0}), Eigen::Vector3d::Zero()};
 }
 
+/// Of a pose with standard deviations of so many metres and degrees along each axis.
+Matrix6 diagonal(double metres, double degrees) {
+  const double radians = degrees * M_PI / 180.0;
+  Matrix6 covariance = Matrix6::Zero();
+  covariance.diagonal().head<3>().setConstant(metres * metres);
+  covariance.diagonal().tail<3>().setConstant(radians * radians);
+  return covariance;
+}
+
 bool isBetter(const MapMatch& a, const MapMatch& b) {
   return a.accepted != b.accepted ? a.accepted : a.coherence > b.coherence;
 }
@@ -88,12 +97,7 @@ void Localizer::go(const InformedScan& informed) {
 
 /// Of a place that may be as far off as a registration may move it.
 Matrix6 Localizer::guessCovariance() const {
-  const LoopCloserConfig& closer = config_.loops.closer;
-  const double rotation = closer.max_rotation * M_PI / 180.0;
-  Matrix6 covariance = Matrix6::Zero();
-  covariance.diagonal().head<3>().setConstant(closer.max_translation * closer.max_translation);
-  covariance.diagonal().tail<3>().setConstant(rotation * rotation);
-  return covariance;
+  return diagonal(config_.loops.closer.max_translation, config_.loops.closer.max_rotation);
 }
 
 /// Another session has an odometry frame of its own; the base has gone on from where it was.
@@ -230,7 +234,9 @@ void Localizer::believe(const MapMatch& match) {
   InformationEstimate estimate;
   estimate.information = match.information;
   estimate.mean_squared_residual = match.mean_squared_residual;
-  covariance_ = PoseCovariance(MotionCovariance(config_.information).of(estimate));
+  covariance_ = PoseCovariance(
+      MotionCovariance(config_.information).of(estimate) +
+      diagonal(config_.localization.deviation, config_.localization.rotation_deviation));
   fixed_at_ = recent_.travelled();
   start_.reset();
   hypotheses_.clear();

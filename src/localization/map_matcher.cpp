@@ -93,7 +93,7 @@ MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
   match.registered = registration.outcome != FineRegistrationOutcome::too_few_correspondences;
   match.T_map_open = proposal.registered.T_common_target * registration.T_target_source;
   match.information = proposal.loop.constraint.information;
-  match.mean_squared_residual = registration.rms * registration.rms;
+  match.mean_squared_residual = proposal.mean_squared_residual;
   match.overlap = registration.fitness;
   match.coherence = registration.coherence;
   return match;

@@ -56,7 +56,9 @@ TEST_F(LocalizerTest, FromAPoseThatWasDrawnItKnowsAtOnceAndFollows) {
     EXPECT_TRUE(now.attempted);
     EXPECT_EQ(now.state, LocalizationState::localized) << i << " " << now.reason;
     EXPECT_LT(errorAt(now, way[i]), 0.1) << i;
-    EXPECT_GT(now.covariance(0, 0), 0.0);
+    const double deviation = config_.localization.deviation;
+    EXPECT_GT(now.covariance(0, 0), deviation * deviation);
+    EXPECT_LT(now.covariance(0, 0), 0.05 * 0.05);
   }
 }
 

@@ -18,6 +18,8 @@ struct LocalizationConfig {
   double search_length = 100.0;
   double lost_after = 40.0;
   double min_overlap = 0.1;
+  double deviation = 0.01;
+  double rotation_deviation = 0.05;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -50,6 +52,14 @@ struct LocalizationConfig {
       "smallest fitness of a registration to the map, in the place of loops/min_fitness: smaller, "
       "as the last metres and a submap of the map may see very different amounts. Raise it if "
       "wrong places are taken; lower it if another sensor than the map's is not localized");
+    v("deviation", deviation, Range{0.0, 10.0}, "m",
+      "standard deviation of the position along each axis after a registration to the map, beside "
+      "that of the registered points: both maps are bent. Raise it if the covariance of the pose "
+      "is "
+      "too small");
+    v("rotation_deviation", rotation_deviation, Range{0.0, 10.0}, "deg",
+      "standard deviation of the rotation about each axis after a registration to the map, "
+      "likewise. Raise it if the covariance of the pose is too small");
   }
 };
 

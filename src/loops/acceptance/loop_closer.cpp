@@ -91,10 +91,13 @@ std::vector<LoopProposal> LoopCloser::close(const std::vector<PlacedSubmap>& sou
     const Submap &source = *registered[i].source, &target = *registered[i].target;
     LoopProposal proposal{constraintOf(source, target, registered[i].registration, origin),
                           verdicts[i], pairs[i].hausdorff, pairs[i].overlap, registered[i]};
-    Constraint& constraint = proposal.loop.constraint;
-    if (proposal.verdict.isAccepted())
-      constraint.information =
+    if (proposal.verdict.isAccepted()) {
+      Constraint& constraint = proposal.loop.constraint;
+      const InformationEstimate estimate =
           information_.estimate(source, registered[i].target, constraint.T_from_to);
+      constraint.information = estimate.information;
+      proposal.mean_squared_residual = estimate.mean_squared_residual;
+    }
     proposals.push_back(std::move(proposal));
   }
   return proposals;

@@ -68,9 +68,9 @@ const LocalVoxelMap& LoopInformation::prepared(const SubmapPtr& target, double s
   return last_->map;
 }
 
-Matrix6 LoopInformation::estimate(const Submap& source, const SubmapPtr& target,
-                                  const Pose& T_target_source) const {
-  if (!enabled_) return Matrix6::Identity();
+InformationEstimate LoopInformation::estimate(const Submap& source, const SubmapPtr& target,
+                                              const Pose& T_target_source) const {
+  if (!enabled_) return {};
   const double scale = std::max(source.scale, target->scale);
   const FineRegistrationConfig config = config_.scaled(scale);
   const double tau = config.information_distance;
@@ -78,7 +78,7 @@ Matrix6 LoopInformation::estimate(const Submap& source, const SubmapPtr& target,
   Points thinned;
   VoxelFilter().filter(source.points, config.information_voxel_size, thinned);
   const Points points = matched(thinned, map, T_target_source, tau);
-  return estimator_.estimate(estimator_.gather(points, map, T_target_source, tau)).information;
+  return estimator_.estimate(estimator_.gather(points, map, T_target_source, tau));
 }
 
 }  // namespace revisit_slam

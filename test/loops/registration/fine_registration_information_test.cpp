@@ -14,8 +14,10 @@ Matrix6 informationIn(SyntheticStreet first, SyntheticStreet second, double yaw)
   const Submap target = submapOf(first, poses);
   for (Pose& T : poses) T = T * poseAt(0, 0.3, yaw);
   const Submap source = submapOf(second, poses);
-  return LoopInformation({}, {}).estimate(source, std::make_shared<const Submap>(target),
-                                          target.T_odom_submap.inverse() * source.T_odom_submap);
+  return LoopInformation({}, {})
+      .estimate(source, std::make_shared<const Submap>(target),
+                target.T_odom_submap.inverse() * source.T_odom_submap)
+      .information;
 }
 
 double along(const Matrix6& information, const Eigen::Vector3d& direction) {
@@ -38,7 +40,8 @@ TEST(LoopInformation, IsInTheFrameOfTheSource) {
 TEST(LoopInformation, IsTheIdentityWhenSwitchedOff) {
   InformationConfig config;
   config.enabled = false;
-  EXPECT_EQ(LoopInformation(config, {}).estimate({}, nullptr, {}), Matrix6(Matrix6::Identity()));
+  EXPECT_EQ(LoopInformation(config, {}).estimate({}, nullptr, {}).information,
+            Matrix6(Matrix6::Identity()));
 }
 
 }  // namespace

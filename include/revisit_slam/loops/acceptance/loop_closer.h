@@ -20,6 +20,7 @@ struct LoopProposal {
   double hausdorff = 0.0;  ///< m, before the registration
   double overlap = 0.0;    ///< of what both see, before the registration
   RegisteredPair registered;
+  double mean_squared_residual = 0.0;  ///< m^2, of the objective of the information
 };
 
 /// The constraints of those that were accepted.

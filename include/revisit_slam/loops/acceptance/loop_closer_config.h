@@ -46,7 +46,7 @@ struct LoopCloserConfig {
     v.group("registration", registration);
     v("acceptance", acceptance, Choices{"consistent", "fitness"}, "",
       "what a registered pair of submaps has to pass. consistent: all gates below; fitness: "
-      "min_fitness alone, as in the paper");
+      "correspondences and min_fitness alone, as in the paper");
     v("min_fitness", min_fitness, Range{0.0, 1.0}, "",
       "tau_f, smallest share of voxels with a counterpart in the other submap. Raise it if wrong "
       "loops are accepted; lower it if right loops of submaps that overlap little are rejected");

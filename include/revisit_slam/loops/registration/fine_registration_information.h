@@ -17,10 +17,10 @@ class LoopInformation {
  public:
   LoopInformation(const InformationConfig& information, const FineRegistrationConfig& registration);
 
-  /// For right perturbations of the source frame. Runs in the current TBB arena. The next call with
-  /// the same target takes half as long. For one thread.
-  Matrix6 estimate(const Submap& source, const SubmapPtr& target,
-                   const Pose& T_target_source) const;
+  /// For right perturbations of the source frame; the identity where it is switched off. Runs in
+  /// the current TBB arena. The next call with the same target takes half as long. For one thread.
+  InformationEstimate estimate(const Submap& source, const SubmapPtr& target,
+                               const Pose& T_target_source) const;
 
  private:
   /// A target made ready.
