@@ -116,22 +116,21 @@ SlamGraph::Batch SlamGraph::append(const std::vector<LoopConstraint>& new_loops)
   return batch;
 }
 
-/// Whether these two submaps were registered anew, and that loop has been accepted.
-bool SlamGraph::isSuperseded(std::size_t loop) const {
-  const Constraint& old = loops_[loop].loop.constraint;
-  return std::any_of(loops_.begin() + static_cast<std::ptrdiff_t>(loop) + 1, loops_.end(),
-                     [&](const LoopEdge& edge) {
-                       const Constraint& newer = edge.loop.constraint;
-                       return edge.state == LoopState::active && newer.from == old.from &&
-                              newer.to == old.to;
-                     });
+/// Whether another registration of these two submaps has been accepted.
+bool SlamGraph::isSuperseded(const LoopEdge& loop) const {
+  const Constraint& ours = loop.loop.constraint;
+  return std::any_of(loops_.begin(), loops_.end(), [&](const LoopEdge& other) {
+    const Constraint& theirs = other.loop.constraint;
+    return other.state == LoopState::active && other.id.value != loop.id.value &&
+           theirs.from == ours.from && theirs.to == ours.to;
+  });
 }
 
 /// @return how many loops changed.
 std::size_t SlamGraph::setState(const Batch& batch, LoopState from, LoopState to) {
   std::size_t changed = 0;
   for (std::size_t i = batch.first; i < batch.end; ++i) {
-    if (loops_[i].state != from || (to == LoopState::active && isSuperseded(i))) continue;
+    if (loops_[i].state != from || (to == LoopState::active && isSuperseded(loops_[i]))) continue;
     loops_[i].state = to;
     ++changed;
   }

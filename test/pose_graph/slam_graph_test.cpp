@@ -118,6 +118,16 @@ TEST(SlamGraph, ARejectedLoopWhoseSubmapsWereRegisteredAnewIsNotTriedAgain) {
   EXPECT_EQ(graph.loops()[6].state, LoopState::active);
 }
 
+TEST(SlamGraph, OfTwoRegistrationsOfTheSameSubmapsOneCounts) {
+  SlamGraph graph = misledDrive();
+  EXPECT_FALSE(graph.optimise(ScanId{52}, {straight(5, 45)}));  // rejected likewise
+  EXPECT_TRUE(graph.disable(LoopId{0}));
+  EXPECT_TRUE(graph.disable(LoopId{1}));
+  ASSERT_TRUE(graph.optimise(ScanId{53}, {}));
+  EXPECT_EQ(graph.loops()[2].state, LoopState::active);
+  EXPECT_EQ(graph.loops()[3].state, LoopState::rejected);
+}
+
 TEST(SlamGraph, RejectedLoopsAreTriedAsTheyCame) {
   SlamGraph graph = misledDrive();
   EXPECT_FALSE(graph.optimise(ScanId{52}, {straight(6, 44, 90.0)}));  // wrong in another way

@@ -109,7 +109,7 @@ class SlamGraph {
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
   Batch append(const std::vector<LoopConstraint>& new_loops);
-  bool isSuperseded(std::size_t loop) const;
+  bool isSuperseded(const LoopEdge& loop) const;
   std::size_t setState(const Batch& batch, LoopState from, LoopState to);
   bool tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution);
   void tryRejected(ScanId last);
