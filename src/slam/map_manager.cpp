@@ -5,22 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "revisit_slam/slam/thinned_scan.h"
+
 namespace revisit_slam {
 
 namespace {
-
-/// What the trajectory of a submap needs of a scan.
-RegisteredScanPtr withoutPoints(const RegisteredScan& scan) {
-  auto thinned = std::make_shared<RegisteredScan>();
-  thinned->id = scan.id;
-  thinned->stamp = scan.stamp;
-  thinned->T_odom_base = scan.T_odom_base;
-  thinned->sensor_base = scan.sensor_base;
-  thinned->voxel_size = scan.voxel_size;
-  thinned->verdict = scan.verdict;
-  thinned->goes_on_from = scan.goes_on_from;
-  return thinned;
-}
 
 std::size_t bytesOf(int megabytes) {
   return static_cast<std::size_t>(megabytes) * 1'000'000;

@@ -15,6 +15,7 @@
 #include "revisit_slam/ros/messages/localization_messages.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/slam/thinned_scan.h"
 
 namespace revisit_slam {
 
@@ -107,12 +108,26 @@ void LocalizationNodelet::subscribe(ros::NodeHandle& node) {
   const uint32_t depth = 0;  // no limit: none may be lost
   scan_subscriber_ = node.subscribe<InformedScan>(
       "informed_scan", depth, [this](const boost::shared_ptr<const InformedScan>& informed) {
-        lane_->post([this, informed] { add(*informed); });
+        if (lane_->waiting() <= mostWaiting())
+          lane_->post([this, informed] { add(*informed); });
+        else
+          postThinned(*informed);
       });
   using Drawn = geometry_msgs::PoseWithCovarianceStamped;
   start_subscriber_ = node.subscribe<Drawn>(
       "initialpose", 10,
       [this](const Drawn::ConstPtr& drawn) { lane_->post([this, drawn] { startAt(*drawn); }); });
+}
+
+/// The way goes on, whatever waits; memory does not grow without limit.
+void LocalizationNodelet::postThinned(InformedScan informed) {
+  informed.scan = withoutPoints(*informed.scan);
+  ++thinned_scans_;
+  lane_->post([this, informed] { add(informed); });
+}
+
+std::size_t LocalizationNodelet::mostWaiting() const {
+  return static_cast<std::size_t>(config_.mapping.max_waiting);
 }
 
 void LocalizationNodelet::add(const InformedScan& informed) {
@@ -179,12 +194,13 @@ void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
   addValue("overlap", std::to_string(last_.overlap), status);
   addValue("coherence", std::to_string(last_.coherence), status);
   addValue("matched submap", std::to_string(last_.target.value), status);
-  constexpr std::size_t most_waiting = 200;  // 20 s of scans
-  if (lane_->waiting() > most_waiting) {
+  if (lane_->waiting() > mostWaiting()) {
     status.level = std::max<std::int8_t>(status.level, status.WARN);
-    status.message += "; falling behind, " + std::to_string(lane_->waiting()) + " scans wait";
+    status.message += "; falling behind, " + std::to_string(lane_->waiting()) +
+                      " scans wait: raise localization/interval";
   }
   addValue("scans waiting", std::to_string(lane_->waiting()), status);
+  addValue("scans without their points", std::to_string(thinned_scans_), status);
 }
 
 }  // namespace revisit_slam

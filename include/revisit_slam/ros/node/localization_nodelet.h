@@ -3,6 +3,8 @@
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 
@@ -28,6 +30,8 @@ class LocalizationNodelet : public SlamNodelet {
   std::unique_ptr<LocalizationStage> readMap(const std::string& folder,
                                              const std::string& start) const;
   void load(const std::string& folder, LoadMap::Response& response);
+  void postThinned(InformedScan informed);
+  std::size_t mostWaiting() const;
 
   // In the lane.
   void add(const InformedScan& informed);
@@ -41,6 +45,7 @@ class LocalizationNodelet : public SlamNodelet {
   std::unique_ptr<LocalizationStage> stage_;  // of the lane
   std::unique_ptr<MapBroadcaster> broadcaster_;
 
+  std::atomic<std::size_t> thinned_scans_{0};
   std::mutex mutex_;  // guards the next one
   Localization last_;
 
