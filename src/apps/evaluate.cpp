@@ -66,6 +66,9 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   app.add_flag("--quiet", options.quiet, "no progress");
   app.parse(argc, argv);
   assign(parametersOf(options.config), parseSettings(options.settings));
+  if (!options.config.input.topics.empty())
+    throw ParameterError(
+        "input/topics: maps are judged by the scans of one LiDAR: name its topic with --points");
   return options;
 }
 

@@ -85,6 +85,9 @@ TEST_F(EvaluateProgram, saysWhatIsWrongWithItsArguments) {
       run({"--reference", "truth.tum", "--estimate", "a=truth.tum", "--set", "consistency/cell=3"}),
       1);
   EXPECT_TRUE(contains(output_, "consistency/cell")) << output_;
+  EXPECT_EQ(run({"--estimate", "a=truth.tum", "--bag", "drive.bag", "--set", "input/topics=/a /b"}),
+            1);
+  EXPECT_TRUE(contains(output_, "input/topics")) << output_;
 }
 
 }  // namespace
