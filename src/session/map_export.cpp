@@ -249,7 +249,7 @@ class MapExport {
   Outputs outputsOf(const std::string& name) const {
     Outputs outputs;
     for (const std::string& format : config_.clouds)
-      outputs.emplace_back(std::make_unique<Output>(format, file(name + "." + format)));
+      outputs.emplace_back(std::make_unique<Output>(format, file(name).append(".").append(format)));
     return outputs;
   }
 
@@ -313,9 +313,10 @@ class MapExport {
 
   void writeTile(const std::string& name, const Tile& tile, const Points& points) {
     if (points.empty()) return;
+    const std::string numbers = std::to_string(tile.first) + "_" + std::to_string(tile.second);
+    const std::string path = file("map_tiles/" + name + "_" + numbers + ".");
     for (const std::string& format : config_.clouds) {
-      Output output(format, file("map_tiles/" + name + "_" + std::to_string(tile.first) + "_" +
-                                 std::to_string(tile.second) + "." + format));
+      Output output(format, path + format);
       output.stream->write(points);
       output.finish();
     }
