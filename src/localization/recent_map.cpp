@@ -42,7 +42,7 @@ double RecentMap::kept() const {
 }
 
 VoxelMeanGrid RecentMap::joined(double metres) const {
-  VoxelMeanGrid grid(slices_.back().scale * voxel_size_);
+  VoxelMeanGrid grid(newestScale() * voxel_size_);
   for (const Slice& slice : slices_)
     if (slice.begin >= travelled() - metres || &slice == &slices_.back())
       grid.insert(slice.points, T_odom_newest_.inverse() * slice.T_odom_slice);
@@ -64,7 +64,7 @@ Submap RecentMap::submap(double metres) const {
   VoxelMeans means = joined(metres).take();
   submap.normals = estimateNormals(means);
   submap.points = std::move(means.points);
-  submap.scale = slices_.back().scale;
+  submap.scale = newestScale();
   turnToViewpoints(sensor_base_, submap);
   return submap;
 }

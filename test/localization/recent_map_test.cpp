@@ -35,6 +35,11 @@ TEST_F(RecentMapTest, TheLastMetresEndWithTheNewestScan) {
   EXPECT_GT(recent_.localMap(30.0).points.size(), submap.points.size());
 }
 
+TEST_F(RecentMapTest, IsEmptyBeforeTheFirstScan) {
+  EXPECT_TRUE(recent_.submap(20.0).points.empty());
+  EXPECT_TRUE(recent_.localMap(20.0).points.empty());
+}
+
 TEST_F(RecentMapTest, ForgetsWhatIsTooOld) {
   insertAll();
   EXPECT_LE(recent_.kept(), 35.0);

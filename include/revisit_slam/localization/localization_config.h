@@ -54,9 +54,8 @@ struct LocalizationConfig {
       "wrong places are taken; lower it if another sensor than the map's is not localized");
     v("deviation", deviation, Range{0.0, 10.0}, "m",
       "standard deviation of the position along each axis after a registration to the map, beside "
-      "that of the registered points: both maps are bent. Raise it if the covariance of the pose "
-      "is "
-      "too small");
+      "that of the registered points: both maps are bent. Raise it if the covariance of the "
+      "pose is too small");
     v("rotation_deviation", rotation_deviation, Range{0.0, 10.0}, "deg",
       "standard deviation of the rotation about each axis after a registration to the map, "
       "likewise. Raise it if the covariance of the pose is too small");

@@ -17,7 +17,7 @@ struct MapMatch {
   Pose T_map_open;     ///< where the registration ended, if `registered`
   bool registered = false;
   Matrix6 information = Matrix6::Identity();  ///< for right perturbations of T_map_open
-  double mean_squared_residual = 0.0;         ///< m^2, of the objective of that
+  double mean_squared_residual = 0.0;         ///< m^2, of the objective of the information
   double overlap = 0.0;                       ///< 0 … 1, FineRegistrationResult::fitness
   double coherence = 0.0;                     ///< likewise
 };

@@ -47,6 +47,7 @@ class RecentMap {
   };
 
   VoxelMeanGrid joined(double metres) const;
+  double newestScale() const { return slices_.empty() ? 1.0 : slices_.back().scale; }
 
   double voxel_size_, length_;
   MapScale scale_;

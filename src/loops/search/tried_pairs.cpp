@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/loops/search/tried_pairs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -23,7 +24,8 @@ bool areClose(const Pose& a, const Pose& b) {
 bool PairGuess::isLike(const PairGuess& other) const {
   return areClose(T_target_source, other.T_target_source) &&
          areClose(T_target_source_last, other.T_target_source_last) &&
-         (drift == other.drift || std::abs(drift - other.drift) <= kUnchanged * drift);
+         (drift == other.drift ||
+          std::abs(drift - other.drift) <= kUnchanged * std::min(drift, other.drift));
 }
 
 void TriedPairs::note(const LocalMapPair& pair, const PairGuess& guess) {

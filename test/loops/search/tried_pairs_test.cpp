@@ -40,6 +40,8 @@ TEST(TriedPairs, AreKnownAsLongAsTheirDriftIsUnknown) {
   tried.note(pair, guess);
   tried.forgetChanged([&](const LocalMapPair&) { return guess; });
   EXPECT_TRUE(tried.has(pair));
+  tried.forgetChanged([](const LocalMapPair&) { return PairGuess{{}, {}, 5.0}; });
+  EXPECT_FALSE(tried.has(pair));
 }
 
 }  // namespace
