@@ -17,9 +17,8 @@ fs::path real(const fs::path& path) {
 }
 
 bool isBelow(const fs::path& root, const fs::path& path) {
-  const auto [root_end, ignored] =
-      std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-  return root_end == root.end();
+  const auto [root_end, rest] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+  return root_end == root.end() && rest != path.end();
 }
 
 }  // namespace

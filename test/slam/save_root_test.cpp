@@ -43,6 +43,13 @@ TEST_F(SaveRoot, IsLeftByNoPath) {
   EXPECT_FALSE(allows("/proc/nowhere"));
 }
 
+TEST_F(SaveRoot, IsNotReplacedByAFolderBesideIt) {
+  EXPECT_FALSE(allows(folder_.file("root")));
+  EXPECT_FALSE(allows(folder_.file("root/")));
+  EXPECT_FALSE(allows(".."));
+  EXPECT_FALSE(allows("new/../.."));
+}
+
 TEST_F(SaveRoot, IsLeftByNoLink) {
   std::filesystem::create_directory_symlink(folder_.file("elsewhere"), folder_.file("root/link"));
   EXPECT_FALSE(allows(folder_.file("root/link")));
