@@ -16,19 +16,18 @@ void VoxelNumbers::erase(const Voxel& voxel) {
 }
 
 std::uint32_t VoxelNumbers::findOrAdd(std::uint64_t key, const Voxel& voxel) {
-  const auto [entry, added] = cube_of_.try_emplace(key, std::uint32_t{0});
-  if (!added) return entry->second;
+  if (const auto entry = cube_of_.find(key); entry != cube_of_.end()) return entry->second;
   if (free_.empty()) {
-    free_.push_back(static_cast<std::uint32_t>(cubes_.size()));
     cubes_.emplace_back();
+    free_.push_back(static_cast<std::uint32_t>(cubes_.size() - 1));
   }
   const std::uint32_t index = free_.back();
+  cube_of_.emplace(key, index);
   free_.pop_back();
   Cube& cube = cubes_[index];
   cube.numbers.fill(kNone);
   cube.place = {voxel.x() >> 2, voxel.y() >> 2, voxel.z() >> 2};
   cube.used = 0;
-  entry.value() = index;
   return index;
 }
 

@@ -148,19 +148,11 @@ double LocalVoxelMap::coveredShare(int lowest, int highest) const {
 }
 
 LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
-  const auto next =
-      free_blocks_.empty() ? static_cast<BlockIndex>(sizes_.size()) : free_blocks_.back();
+  if (free_blocks_.empty()) addFreeBlock();
+  const BlockIndex next = free_blocks_.back();
   const BlockIndex block = block_of_.tryEmplace(voxel, next);
   if (block != next) return block;
-  if (free_blocks_.empty()) {
-    quads_.resize(quads_.size() + quads_per_block_);
-    voxels_.emplace_back();
-    moments_.resize(has_shapes_ ? voxels_.size() : 0);
-    shapes_.resize(moments_.size());
-    sizes_.push_back(0);
-  } else {
-    free_blocks_.pop_back();
-  }
+  free_blocks_.pop_back();
   std::fill_n(quads_.begin() + static_cast<std::ptrdiff_t>(block * quads_per_block_),
               quads_per_block_, Quad::empty());
   voxels_[block] = voxel;
@@ -169,6 +161,17 @@ LocalVoxelMap::BlockIndex LocalVoxelMap::findOrCreateBlock(const Voxel& voxel) {
     shapes_[block] = {};
   }
   return block;
+}
+
+/// Before a voxel has its number: where memory is short the map is as it was.
+void LocalVoxelMap::addFreeBlock() {
+  const std::size_t blocks = sizes_.size() + 1;
+  quads_.resize(blocks * quads_per_block_);
+  voxels_.resize(blocks);
+  moments_.resize(has_shapes_ ? blocks : 0);
+  shapes_.resize(moments_.size());
+  free_blocks_.push_back(static_cast<BlockIndex>(blocks - 1));
+  sizes_.push_back(0);
 }
 
 bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
@@ -197,9 +200,9 @@ void LocalVoxelMap::dropBeyond(const Eigen::Vector3d& centre_odom, double distan
   for (BlockIndex block = 0; block < sizes_.size(); ++block) {
     if (sizes_[block] == 0) continue;
     if ((voxels_[block].cast<float>() - centre).squaredNorm() <= limit) continue;
-    block_of_.erase(voxels_[block]);
-    sizes_[block] = 0;
     free_blocks_.push_back(block);
+    sizes_[block] = 0;
+    block_of_.erase(voxels_[block]);
   }
 }
 

@@ -5,10 +5,12 @@ namespace revisit_slam {
 
 void MomentGrid::add(const Eigen::Vector3d& point) {
   const Voxel place = voxelOf<double>(point / edge_);
-  const auto next = free_.empty() ? static_cast<std::uint32_t>(cubes_.size()) : free_.back();
-  const std::uint32_t cube = cube_of_.tryEmplace(place, next);
-  if (cube == cubes_.size()) cubes_.emplace_back();
-  if (!free_.empty() && cube == free_.back()) free_.pop_back();
+  if (free_.empty()) {  // before a cube has its number: where memory is short nothing has changed
+    cubes_.emplace_back();
+    free_.push_back(static_cast<std::uint32_t>(cubes_.size() - 1));
+  }
+  const std::uint32_t cube = cube_of_.tryEmplace(place, free_.back());
+  if (cube == free_.back()) free_.pop_back();
   cubes_[cube].place = place;
   cubes_[cube].moments.add((point - edge_ * place.cast<double>()).cast<float>());
 }
@@ -36,9 +38,9 @@ void MomentGrid::dropBeyond(const Eigen::Vector3d& centre, double distance) {
     Cube& entry = cubes_[cube];
     if (entry.moments.count == 0.0f) continue;
     if ((entry.place.cast<double>() - middle).squaredNorm() <= limit) continue;
-    cube_of_.erase(entry.place);
-    entry.moments = {};
     free_.push_back(cube);
+    entry.moments = {};
+    cube_of_.erase(entry.place);
   }
 }
 

@@ -27,15 +27,15 @@ void VoxelMeanGrid::insert(const Points& points, const Pose& T_grid_points) {
 }
 
 VoxelMeanGrid::Cell& VoxelMeanGrid::cellAt(const Voxel& voxel) {
-  const std::uint32_t cell = cell_of_.tryEmplace(voxel, static_cast<std::uint32_t>(cells_.size()));
-  if (cell == cells_.size()) cells_.emplace_back();
-  return cells_[cell];
+  const std::size_t next = voxels();
+  if (next == cells_.size()) cells_.emplace_back();  // before it has its number: this may throw
+  return cells_[cell_of_.tryEmplace(voxel, static_cast<std::uint32_t>(next))];
 }
 
 VoxelMeans VoxelMeanGrid::take() {
   VoxelMeans means;
-  means.keys.reserve(cells_.size());
-  means.points.reserve(cells_.size());
+  means.keys.reserve(voxels());
+  means.points.reserve(voxels());
   cell_of_.forEach([&](const Voxel& voxel, std::uint32_t index) {
     const Cell& cell = cells_[index];
     means.keys.push_back(packVoxel(voxel));

@@ -13,7 +13,8 @@ namespace revisit_slam {
 
 /// A number for each of some voxels. The numbers of a cube of voxels are kept together, as who asks
 /// for one asks for its neighbours next: then a table of the cubes, which is small, is searched
-/// seldom, and one line of the processor's cache holds many of the answers.
+/// seldom, and one line of the processor's cache holds many of the answers. Where memory is short
+/// (std::bad_alloc) everything is as it was before.
 class VoxelNumbers {
  public:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};

@@ -87,6 +87,7 @@ class LocalVoxelMap {
   };
 
   BlockIndex findOrCreateBlock(const Voxel& voxel);
+  void addFreeBlock();
   /// @return whether the point entered.
   bool insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel);
   void updateShapes(std::vector<BlockIndex>& changed);

@@ -26,7 +26,7 @@ class VoxelMeanGrid {
   explicit VoxelMeanGrid(double voxel_size) : edge_(static_cast<float>(voxel_size)) {}
 
   void insert(const Points& points, const Pose& T_grid_points = {});
-  std::size_t voxels() const { return cells_.size(); }
+  std::size_t voxels() const { return cell_of_.size(); }
 
   /// The means, in the frame of the grid; the grid is empty afterwards and holds no memory.
   VoxelMeans take();
@@ -46,7 +46,7 @@ class VoxelMeanGrid {
 
   float edge_;
   VoxelNumbers cell_of_;
-  std::vector<Cell> cells_;
+  std::vector<Cell> cells_;  // at most one more than there are voxels
 };
 
 }  // namespace revisit_slam
