@@ -16,7 +16,7 @@ bool DynamicVoxels::isBesideDynamic(const Voxel& voxel) const {
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
-        if (dynamic_.count(packVoxel<>(voxel + Voxel(x, y, z))) > 0) return true;
+        if (dynamic_.count(packVoxel(voxel + Voxel(x, y, z))) > 0) return true;
   return false;
 }
 

@@ -22,16 +22,15 @@ inline Voxel voxelOf(const Eigen::Matrix<Scalar, 3, 1>& scaled_point) {
   return {floorToInt(scaled_point.x()), floorToInt(scaled_point.y()), floorToInt(scaled_point.z())};
 }
 
-/// Coordinates that a 64-bit key of `Bits` bits per axis can tell apart: [-limit, limit).
-template <int Bits>
-constexpr int kVoxelLimit = 1 << (Bits - 1);
+constexpr int kVoxelBits = 21;  // of each axis in a packed voxel
+/// Coordinates that a packed voxel can tell apart: [-limit, limit).
+constexpr int kVoxelLimit = 1 << (kVoxelBits - 1);
 
-/// The voxel in one integer, `Bits` bits per axis; unique for coordinates within kVoxelLimit<Bits>.
-template <int Bits = 21>
+/// The voxel in one integer; unique for coordinates within kVoxelLimit.
 inline std::uint64_t packVoxel(const Voxel& voxel) {
-  constexpr std::uint64_t mask = (std::uint64_t{1} << Bits) - 1;
-  const auto part = [](int c) { return static_cast<std::uint64_t>(c + kVoxelLimit<Bits>) & mask; };
-  return part(voxel.x()) << (2 * Bits) | part(voxel.y()) << Bits | part(voxel.z());
+  constexpr std::uint64_t mask = (std::uint64_t{1} << kVoxelBits) - 1;
+  const auto part = [](int c) { return static_cast<std::uint64_t>(c + kVoxelLimit) & mask; };
+  return part(voxel.x()) << (2 * kVoxelBits) | part(voxel.y()) << kVoxelBits | part(voxel.z());
 }
 
 /// Spreads a packed voxel over 64 bits; the high bits are the well-mixed ones.

@@ -23,8 +23,8 @@ class RingSpacing {
   RingSpacing() = default;
   RingSpacing(const Points& points_sensor, const Pose& T_base_sensor);
 
-  /// Angle from a ring to the next in radians; 0 where rings cannot be told apart. `sine`: of the
-  /// elevation.
+  /// Difference of the sines of elevation from a ring to the next; 0 where rings cannot be told
+  /// apart. `sine`: of the elevation.
   double gap(double sine) const { return gaps_.empty() ? 0.0 : gaps_[bin(sine)]; }
 
   /// `resolution`: m, rings that are nearer to each other than this leave nothing unknown.
