@@ -10,6 +10,18 @@
 namespace revisit_slam {
 namespace {
 
+using GeographicLib::UTMUPS;
+
+constexpr double kFalseNorthing = 1e7;  // m, of the equator, seen from the south
+
+UtmPosition inZone(const GeodeticPosition& position, int zone) {
+  UtmPosition utm;
+  UTMUPS::Forward(position.latitude, position.longitude, utm.zone, utm.north, utm.easting,
+                  utm.northing, zone);
+  if (utm.zone == 0) throw std::runtime_error("there is no zone of UTM near the poles");
+  return utm;
+}
+
 const GeographicLib::Geocentric& wgs84() {
   return GeographicLib::Geocentric::WGS84();
 }
@@ -40,13 +52,14 @@ GeodeticPosition LocalEnu::toGeodetic(const Eigen::Vector3d& p_enu) const {
   return position;
 }
 
-UtmPosition toUtm(const GeodeticPosition& position, int zone) {
-  using GeographicLib::UTMUPS;
-  UtmPosition utm;
-  const int wanted = zone == 0 ? static_cast<int>(UTMUPS::STANDARD) : zone;
-  UTMUPS::Forward(position.latitude, position.longitude, utm.zone, utm.north, utm.easting,
-                  utm.northing, wanted);
-  if (utm.zone == 0) throw std::runtime_error("there is no zone of UTM near the poles");
+UtmPosition toUtm(const GeodeticPosition& position) {
+  return inZone(position, static_cast<int>(UTMUPS::STANDARD));
+}
+
+UtmPosition toUtm(const GeodeticPosition& position, const UtmPosition& other) {
+  UtmPosition utm = inZone(position, other.zone);
+  if (utm.north != other.north) utm.northing += other.north ? -kFalseNorthing : kFalseNorthing;
+  utm.north = other.north;
   return utm;
 }
 

@@ -11,9 +11,10 @@
 namespace revisit_slam {
 namespace {
 
-std::optional<UtmPosition> utmOf(const GeodeticPosition& position, int zone = 0) {
+template <typename... Zone>
+std::optional<UtmPosition> utmOf(const GeodeticPosition& position, const Zone&... zone) {
   try {
-    return toUtm(position, zone);
+    return toUtm(position, zone...);
   } catch (const std::exception&) {
     return std::nullopt;  // near the poles, or far from the zone
   }
@@ -54,7 +55,7 @@ std::string tableOf(const Trajectory& trajectory_enu, const LocalEnu& enu) {
     table << stampText(pose.stamp)
           << formatted(",%.10f,%.10f,%.4f,", position.latitude, position.longitude,
                        position.altitude);
-    if (const auto utm = origin ? utmOf(position, origin->zone) : std::nullopt)
+    if (const auto utm = origin ? utmOf(position, *origin) : std::nullopt)
       table << formatted("%.4f,%.4f", utm->easting, utm->northing);
     else
       table << ",";

@@ -44,8 +44,17 @@ TEST(Utm, ZonesAreThoseOfEpsg) {
   EXPECT_NEAR(utm.easting, 500000.0, 1e-6);
   EXPECT_NEAR(utm.northing, 5316300.0, 400.0);
   EXPECT_EQ(toUtm({-33.0, 151.0, 0.0}).epsg(), 32756);
-  EXPECT_EQ(toUtm({48.0, 12.01, 0.0}, 32).zone, 32);
+  EXPECT_EQ(toUtm({48.0, 12.01, 0.0}, utm).zone, 32);
   EXPECT_THROW(toUtm({89.0, 0.0, 0.0}), std::runtime_error);
+}
+
+TEST(Utm, NorthingsGoOnAcrossTheEquator) {
+  for (const double side : {1.0, -1.0}) {
+    const UtmPosition datum = toUtm({side * 0.0005, 9.0, 0.0});
+    const UtmPosition across = toUtm({-side * 0.0005, 9.0, 0.0}, datum);
+    EXPECT_EQ(across.epsg(), datum.epsg());
+    EXPECT_NEAR(datum.northing - across.northing, side * 110.6, 0.5);  // m, of 0.001 degrees
+  }
 }
 
 TEST(GeodeticPosition, NumbersThatAreNoPositionAreToldApart) {

@@ -32,9 +32,11 @@ struct UtmPosition {
   /// Of WGS 84 / UTM, EPSG.
   int epsg() const { return (north ? 32600 : 32700) + zone; }
 };
-/// In the zone of the position itself, or in a fixed one (0: its own). @throws std::runtime_error
-/// near the poles and far from a fixed zone.
-UtmPosition toUtm(const GeodeticPosition& position, int zone = 0);
+/// In the zone of the position itself. @throws std::runtime_error near the poles.
+UtmPosition toUtm(const GeodeticPosition& position);
+/// In the zone and on the side of the equator of another one: northings go on across it. @throws
+/// std::runtime_error near the poles and far from the zone.
+UtmPosition toUtm(const GeodeticPosition& position, const UtmPosition& other);
 
 /// Whether the numbers are a position on the earth.
 bool isValid(const GeodeticPosition& position);
