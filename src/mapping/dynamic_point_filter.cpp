@@ -50,7 +50,7 @@ void DynamicPointFilter::add(const SeenPoints& seen) {
     for (; i < group.end; ++i) see(seen.points_map[i], group.time, seen.last_times[i]);
 }
 
-void DynamicPointFilter::see(const Eigen::Vector3f& point_map, float first, float last) {
+void DynamicPointFilter::see(const Eigen::Vector3f& point_map, double first, double last) {
   if (!box_map_.contains(point_map.head<2>())) return;
   const Voxel voxel = voxelAt(point_map);
   const auto [place, is_new] =
@@ -99,7 +99,7 @@ void DynamicPointFilter::lookThrough(const SeenPoints& seen) {
 }
 
 void DynamicPointFilter::follow(const Eigen::Vector3f& sensor_map, const Eigen::Vector3f& point_map,
-                                float time) {
+                                double time) {
   const Eigen::Vector3f from = scale_ * sensor_map, way = scale_ * point_map - from;
   const float length = way.norm();
   if (length <= 2.0f * kEnd) return;
@@ -107,7 +107,6 @@ void DynamicPointFilter::follow(const Eigen::Vector3f& sensor_map, const Eigen::
   const auto [first, last] = within(box_map_, sensor_map.head<2>(), point_map.head<2>());
   const float begin = first * length, end = std::min(last * length, length - kEnd);
   if (begin >= end) return;
-  const auto pause = static_cast<float>(config_.pause);
   const Block* block = nullptr;
   Voxel block_at = Voxel::Constant(std::numeric_limits<int>::max());
   walkVoxels(Eigen::Vector3f(from + begin * direction), Eigen::Vector3f(from + end * direction),
@@ -121,8 +120,8 @@ void DynamicPointFilter::follow(const Eigen::Vector3f& sensor_map, const Eigen::
                Cell& cell = cells_[block->cells[bit]];
                const Eigen::Vector3f to_point = scale_ * cell.point_map - from;
                if (to_point.cross(direction).squaredNorm() > kClose * kClose) return true;
-               cell.alone.pass(time, pause);
-               cell.around.pass(time, pause);
+               cell.alone.pass(time, config_.pause);
+               cell.around.pass(time, config_.pause);
                return true;
              });
 }
@@ -132,7 +131,7 @@ void DynamicPointFilter::Evidence::take(const Evidence& other) {
   last_seen = std::max(last_seen, other.last_seen);
 }
 
-void DynamicPointFilter::Evidence::pass(float time, float pause) {
+void DynamicPointFilter::Evidence::pass(double time, double pause) {
   ++(time < first_seen - pause || time > last_seen + pause ? rays_apart : rays_during);
 }
 

@@ -12,7 +12,7 @@ SeenPoints seenPoints(const MapUpdate& update, const Pose& T_map_submap, Stamp s
   const Submap& submap = *update.submap;
   const auto time_of = [&](std::size_t scan) {
     const std::size_t last = submap.stamps.size() - 1;
-    return static_cast<float>(secondsBetween(start, submap.stamps[std::min(scan, last)]));
+    return secondsBetween(start, submap.stamps[std::min(scan, last)]);
   };
   std::size_t i = 0;
   for (const PointsSeen& group : sightings.groups) {

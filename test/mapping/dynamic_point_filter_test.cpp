@@ -12,9 +12,9 @@ const Eigen::Vector3f kSensor(0.1f, 0.1f, 1.5f);
 const Eigen::AlignedBox2f kEverywhere(Eigen::Vector2f(-100, -100), Eigen::Vector2f(100, 100));
 
 /// What is seen from `time` to `last`, from one place.
-SeenPoints seen(const Points& points, float time, float last,
+SeenPoints seen(const Points& points, double time, double last,
                 const Eigen::Vector3f& sensor = kSensor) {
-  return {{{sensor, time, points.size()}}, points, std::vector<float>(points.size(), last)};
+  return {{{sensor, time, points.size()}}, points, std::vector<double>(points.size(), last)};
 }
 
 Points grid(const Eigen::Vector3f& corner, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {

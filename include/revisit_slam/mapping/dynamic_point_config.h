@@ -19,7 +19,8 @@ struct DynamicPointConfig {
       "true: points of what moved are in map_dynamic.pcd and out of map.pcd, OctoMap and grid; "
       "false: they are in the map");
     v("rays", rays, Range{1, 1000}, "",
-      "smallest number of rays that passed within half a voxel of a point, while nothing was seen "
+      "smallest number of rays that passed through the voxel of a point, near it, while nothing "
+      "was seen "
       "there, for the point to be dynamic. Raise it if points of thin or far objects are removed; "
       "lower it if a sensor with few beams leaves traces");
     v("share", share, Range{0.0, 100.0}, "",

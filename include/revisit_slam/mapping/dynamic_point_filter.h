@@ -20,13 +20,13 @@ struct SeenPoints {
   /// Points that follow one another, seen first from one place at one time.
   struct Group {
     Eigen::Vector3f sensor_map;
-    float time;       ///< s
+    double time;      ///< s
     std::size_t end;  ///< behind the last of them
   };
 
   std::vector<Group> groups;
   Points points_map;
-  std::vector<float> last_times;  ///< s, of each point
+  std::vector<double> last_times;  ///< s, of each point
 };
 
 /// Finds points of what moved: rays passed close to them before the first or after the last scan
@@ -48,11 +48,11 @@ class DynamicPointFilter {
   /// When something was seen, and the rays that passed close by while nothing was, and while it
   /// was.
   struct Evidence {
-    float first_seen, last_seen;  // s
+    double first_seen, last_seen;  // s: sessions of one map may be years apart
     int rays_apart = 0, rays_during = 0;
 
     void take(const Evidence& other);
-    void pass(float time, float pause);
+    void pass(double time, double pause);
   };
 
   /// A voxel with points in it.
@@ -75,9 +75,9 @@ class DynamicPointFilter {
   }
   const Block* findBlock(const Voxel& block) const;
   const Cell* find(const Voxel& voxel) const;
-  void see(const Eigen::Vector3f& point_map, float first, float last);
+  void see(const Eigen::Vector3f& point_map, double first, double last);
   void takeTimesAround();
-  void follow(const Eigen::Vector3f& sensor_map, const Eigen::Vector3f& point_map, float time);
+  void follow(const Eigen::Vector3f& sensor_map, const Eigen::Vector3f& point_map, double time);
   bool isGround(const Cell& cell) const;
 
   DynamicPointConfig config_;
