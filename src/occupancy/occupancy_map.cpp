@@ -117,7 +117,7 @@ OccupancyBlock OccupancyMap::composed(const Voxel& block,
     const std::uint32_t hits = evidence.hits[bit], misses = evidence.misses[bit];
     const bool driven = evidence.driven.test(bit);
     if (hits + misses == 0 && !driven) continue;
-    const bool is_occupied = !driven && hits * hit + misses * miss >= occupied;
+    const bool is_occupied = !driven && hits > 0 && hits * hit + misses * miss >= occupied;
     (is_occupied ? result.occupied : result.free).set(bit);
   }
   return result;

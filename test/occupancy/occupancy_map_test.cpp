@@ -124,6 +124,17 @@ TEST(OccupancyMap, LaterPassesClearWhatHasGone) {
   EXPECT_TRUE(map.blocks()[0].free.test(0));
 }
 
+TEST(OccupancyMap, WhereRaysOnlyPassedNothingIsWhateverTheProbabilities) {
+  OccupancyConfig config;
+  config.miss = 0.5;
+  config.occupied = 0.35;
+  OccupancyMap map{config};
+  map.place({0}, submapOf({{{0, 0, 0}, 0, 1}}), {});
+  map.compose();
+  EXPECT_TRUE(occupiedCentres(map).empty());
+  EXPECT_TRUE(map.blocks()[0].free.test(0));
+}
+
 TEST(OccupancyMap, GivesTheCentresOfOccupiedVoxels) {
   const OccupancyMap map = mapOf(submapOf({{{-1, 4, 9}, 2, 1}, {{0, 0, 0}, 0, 1}}));
   ASSERT_EQ(occupiedCentres(map).size(), 1u);
