@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace revisit_slam {
@@ -149,12 +151,16 @@ void FusedMotionPredictor::observe(Stamp stamp, const Pose& T_odom_base,
   if (previous_stamp_) {
     const Pose T_previous_base = T_odom_previous_.inverse() * T_odom_base;
     const Fusion fusion = fuse(stamp);
+    std::set<std::string> rejected;
     for (const Weighed& weighed : fusion.measurements) {
       judge(weighed, T_previous_base, information);
-      if (weighed.is_used) information_in_all += weighed.covariance.inverse();
+      if (weighed.is_used)
+        information_in_all += weighed.covariance.inverse();
+      else if (weighed.measurement.motion)
+        rejected.insert(weighed.measurement.sensor);
     }
     priors_.observe(*previous_stamp_, stamp, T_previous_base,
-                    evidenceOf(information, fusion.predicted));
+                    evidenceOf(information, fusion.predicted), rejected);
   }
   predictor_->observe(stamp, T_odom_base, information_in_all);
   previous_stamp_ = stamp;

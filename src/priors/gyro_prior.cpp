@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/priors/gyro_prior.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace revisit_slam {
@@ -14,13 +15,20 @@ double squared(double value) {
   return value * value;
 }
 
+/// Of a registered rotation about each axis, rad^2.
+Eigen::Vector3d rotationVariance(const Matrix6& information) {
+  Matrix6 weakly_known = information;
+  weakly_known.diagonal().array() += 1.0 / kUnmeasured;
+  return weakly_known.inverse().diagonal().tail<3>();
+}
+
 }  // namespace
 
 GyroPrior::GyroPrior(const PriorsConfig& config)
     : noise_(config.gyro),
       max_gap_(config.max_gap),
       gate_(config.gate),
-      bias_variance_(squared(config.gyro.initial_bias)) {}
+      bias_variance_(Eigen::Vector3d::Constant(squared(config.gyro.initial_bias))) {}
 
 std::optional<MeasuredMotion> GyroPrior::motion(Stamp from, Stamp to) const {
   const std::optional<Eigen::Quaterniond> rotation = integrate(from, to);
@@ -29,8 +37,9 @@ std::optional<MeasuredMotion> GyroPrior::motion(Stamp from, Stamp to) const {
   MeasuredMotion measured;
   measured.T_from_to.rotation = *rotation;
   measured.covariance *= kUnmeasured;
-  measured.covariance.diagonal().tail<3>().setConstant(
-      noiseVariance(to, seconds) + bias_variance_ * squared(seconds) + squared(kRotationFloor));
+  measured.covariance.diagonal().tail<3>() =
+      squared(seconds) * bias_variance_ +
+      Eigen::Vector3d::Constant(noiseVariance(to, seconds) + squared(kRotationFloor));
   return measured;
 }
 
@@ -63,13 +72,11 @@ double GyroPrior::noiseVariance(Stamp to, double seconds) const {
   return *last->turn_rate_variance * secondsBetween(std::prev(last)->stamp, last->stamp) * seconds;
 }
 
-void GyroPrior::observe(Stamp from, Stamp to, const Pose& T_from_to) {
+void GyroPrior::observe(Stamp from, Stamp to, const Pose& T_from_to, const Matrix6& information) {
   const std::optional<Eigen::Quaterniond> rotation = integrate(from, to);
-  if (!rotation) {
-    window_ = {};
-    return;
-  }
+  if (!rotation) return skip();
   window_.seconds += secondsBetween(from, to);
+  window_.variance = window_.variance.cwiseMax(rotationVariance(information));
   window_.measured = (window_.measured * *rotation).normalized();
   window_.registered = (window_.registered * T_from_to.rotation).normalized();
   if (window_.seconds < kWindow) return;
@@ -77,17 +84,19 @@ void GyroPrior::observe(Stamp from, Stamp to, const Pose& T_from_to) {
   window_ = {};
 }
 
-/// A Kalman update. What is beyond the gate is a registration gone wrong.
+/// A Kalman update of each axis. What is beyond the gate is a registration gone wrong.
 void GyroPrior::estimateBias(double noise_variance) {
   const double seconds = window_.seconds;
-  bias_variance_ += squared(noise_.bias_walk) * seconds;
+  bias_variance_.array() += squared(noise_.bias_walk) * seconds;
   const Eigen::Vector3d error = logSO3(window_.registered.conjugate() * window_.measured) / seconds;
-  const double variance =
-      (2.0 * squared(kRegistrationDeviation) + noise_variance) / squared(seconds);
-  if (error.squaredNorm() > squared(gate_) * (variance + bias_variance_)) return;
-  const double gain = bias_variance_ / (bias_variance_ + variance);
-  bias_ += gain * error;
-  bias_variance_ *= 1.0 - gain;
+  const Eigen::Vector3d of_registrations =
+      2.0 * (window_.variance.array() + squared(kRegistrationDeviation));
+  const Eigen::Vector3d expected =
+      bias_variance_.array() + (of_registrations.array() + noise_variance) / squared(seconds);
+  if ((error.array().square() > squared(gate_) * expected.array()).any()) return;
+  const Eigen::Vector3d gain = bias_variance_.cwiseQuotient(expected);
+  bias_ += gain.cwiseProduct(error);
+  bias_variance_ -= gain.cwiseProduct(bias_variance_);
 }
 
 }  // namespace revisit_slam

@@ -67,11 +67,18 @@ std::optional<MeasuredMotion> MotionPriors::measure(const std::string& sensor, S
 }
 
 void MotionPriors::observe(Stamp from, Stamp to, const Pose& T_from_to,
-                           const RegistrationEvidence& evidence) {
+                           const RegistrationEvidence& evidence,
+                           const std::set<std::string>& rejected) {
   newest_scan_ = to;
-  odometry_.observe(from, to, T_from_to, evidence);
+  if (rejected.count(kOdometry) > 0)
+    odometry_.skip();
+  else
+    odometry_.observe(from, to, T_from_to, evidence);
   if (accounts_.count(kOdometry) > 0) account(kOdometry).scale = odometry_.scale();
-  gyro_.observe(from, to, T_from_to);
+  if (rejected.count(kGyro) > 0)
+    gyro_.skip();
+  else
+    gyro_.observe(from, to, T_from_to, evidence.information);
   if (accounts_.count(kGyro) > 0) account(kGyro).bias = gyro_.bias();
   odometry_.readings().forgetBefore(to);
   gyro_.readings().forgetBefore(to);

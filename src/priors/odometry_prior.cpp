@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include "revisit_slam/priors/covariance_check.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -73,10 +75,7 @@ std::optional<OdometryReading> OdometryPrior::interpolate(Stamp stamp) const {
 void OdometryPrior::observe(Stamp from, Stamp to, const Pose& T_from_to,
                             const RegistrationEvidence& evidence) {
   const std::optional<Pose> measured = measure(from, to);
-  if (!measured) {
-    window_ = {};
-    return;
-  }
+  if (!measured) return skip();
   window_.seconds += secondsBetween(from, to);
   const double metres = measured->translation.norm();
   if (metres > kTranslationFloor) {
@@ -94,18 +93,21 @@ void OdometryPrior::observe(Stamp from, Stamp to, const Pose& T_from_to,
 }
 
 /// A Kalman update; slip lasts for all of the window. What is beyond the gate is more than that, or
-/// a registration gone wrong.
+/// a registration gone wrong. Of a wrong scale the pose shows at least the share that the
+/// registration has in it: no more is known afterwards than by that, and no more is corrected than
+/// the pose shows.
 void OdometryPrior::estimateScale() {
   scale_variance_ += squared(noise_.scale_walk) * window_.measured;
   const double error = window_.deviation / window_.measured;
   const double of_ways =
       (window_.variance + 2.0 * squared(kRegistrationDeviation)) / squared(window_.measured) +
       squared(noise_.translation_per_metre);
-  const double variance = of_ways / squared(window_.share / window_.measured);
+  const double share = window_.share / window_.measured;
+  const double variance = of_ways / squared(share);
   if (squared(error) > squared(gate_) * (variance + scale_variance_)) return;
   const double gain = scale_variance_ / (scale_variance_ + variance);
   scale_ += gain * error;
-  scale_variance_ *= 1.0 - gain;
+  scale_variance_ *= 1.0 - gain * share;
 }
 
 /// An error of the velocity lasts from scan to scan: wheels slip for a while.
@@ -114,7 +116,7 @@ Matrix6 OdometryPrior::covarianceOf(const Tangent& motion, double seconds,
   const double metres = motion.head<3>().norm(), radians = motion.tail<3>().norm();
   Matrix6 covariance = Matrix6::Zero();
   if (end.velocity_covariance) {
-    covariance = squared(seconds) * *end.velocity_covariance;
+    covariance = squared(seconds) * withPossibleCorrelations(*end.velocity_covariance);
   } else {
     // Wheels count the way wrong along itself; across it they slip.
     const Eigen::Vector3d along = motion.head<3>();

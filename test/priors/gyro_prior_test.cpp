@@ -12,6 +12,7 @@ namespace {
 
 const Stamp kStart = Stamp::fromSeconds(1000.0);
 const Eigen::Vector3d kBias{0.01, -0.006, 0.004};
+const Matrix6 kKnown = 1e8 * Matrix6::Identity();
 
 /// Nods twice a second, and turns.
 Eigen::Quaterniond truthAt(double seconds) {
@@ -61,7 +62,7 @@ TEST(GyroPrior, LearnsItsBiasFromRegistrations) {
     Pose T_from_to;  // as registered, with errors that do not add up
     const auto wrong = [](double t) { return expSO3({1e-3 * std::sin(40.0 * t), 0.0, 0.0}); };
     T_from_to.rotation = (truthAt(from) * wrong(from)).conjugate() * truthAt(to) * wrong(to);
-    prior.observe(a, b, T_from_to);
+    prior.observe(a, b, T_from_to, kKnown);
   }
   EXPECT_LT((prior.bias() - kBias).norm(), 1e-3);
   const auto motion = prior.motion(kStart.plusSeconds(30.0), kStart.plusSeconds(30.08));
@@ -69,12 +70,38 @@ TEST(GyroPrior, LearnsItsBiasFromRegistrations) {
   EXPECT_LT(motion->covariance(3, 3), 0.1 * before);
 }
 
+TEST(GyroPrior, PosesThatFollowItSayNothingOfItsBias) {
+  GyroPrior prior{PriorsConfig{}};
+  const auto drive = [&](double begin, double end, bool is_heading_known) {
+    Matrix6 information = kKnown;
+    if (!is_heading_known) information(5, 5) = 0.0;
+    for (double from = begin; from < end - 1e-9; from += 0.1) {
+      take(prior, from, from + 0.1, kBias);
+      prior.readings().take(imuAt(kStart, from + 0.1, rateAt(from + 0.1) + kBias));
+      Pose T_from_to;
+      T_from_to.rotation = truthAt(from).conjugate() * truthAt(from + 0.1);
+      if (!is_heading_known) T_from_to.rotation *= expSO3({0.0, 0.0, 0.1 * kBias.z()});
+      prior.observe(kStart.plusSeconds(from), kStart.plusSeconds(from + 0.1), T_from_to,
+                    information);
+    }
+  };
+  drive(0.0, 20.0, false);
+  EXPECT_NEAR(prior.bias().x(), kBias.x(), 1e-3);
+  EXPECT_NEAR(prior.bias().z(), 0.0, 1e-4);
+  const auto motion = prior.motion(kStart.plusSeconds(19.0), kStart.plusSeconds(20.0));
+  ASSERT_TRUE(motion);
+  EXPECT_GT(motion->covariance(5, 5), 0.5 * std::pow(PriorsConfig().gyro.initial_bias, 2));
+  EXPECT_LT(motion->covariance(3, 3), 0.1 * motion->covariance(5, 5));
+  drive(20.0, 30.0, true);
+  EXPECT_NEAR(prior.bias().z(), kBias.z(), 1e-3);
+}
+
 TEST(GyroPrior, ARegistrationGoneWrongDoesNotMakeABias) {
   GyroPrior prior{PriorsConfig{}};
   take(prior, 0.0, 3.0, Eigen::Vector3d::Zero());
   Pose T_wrong;
   T_wrong.rotation = truthAt(0.0).conjugate() * truthAt(2.5) * expSO3({0.0, 0.0, 1.0});
-  prior.observe(kStart, kStart.plusSeconds(2.5), T_wrong);
+  prior.observe(kStart, kStart.plusSeconds(2.5), T_wrong, kKnown);
   EXPECT_EQ(prior.bias(), Eigen::Vector3d::Zero());
 }
 

@@ -76,12 +76,33 @@ TEST(MotionPriors, ReportTheBiasOfTheGyroUntilTheSessionEnds) {
   const Eigen::Vector3d bias{0.01, -0.006, 0.004};
   for (int i = 0; i <= 400; ++i) priors.take(imuAt(kStart, 0.1 * i, bias));
   EXPECT_FALSE(priors.accounts().at("gyro").bias);
+  const RegistrationEvidence evidence{1e8 * Matrix6::Identity(), Matrix6::Identity()};
   for (int i = 0; i < 400; ++i)
-    priors.observe(kStart.plusSeconds(0.1 * i), kStart.plusSeconds(0.1 * (i + 1)), Pose{}, {});
+    priors.observe(kStart.plusSeconds(0.1 * i), kStart.plusSeconds(0.1 * (i + 1)), Pose{},
+                   evidence);
   EXPECT_LT((*priors.accounts().at("gyro").bias - bias).norm(), 5e-4);
   EXPECT_FALSE(priors.accounts().at("odometry").bias);
   priors.restart();
   EXPECT_FALSE(priors.accounts().at("gyro").bias);
+}
+
+/// Wheels that jump tell nothing of their diameter.
+TEST(MotionPriors, WhatWasRejectedIsNoEvidence) {
+  for (const bool is_rejected : {false, true}) {
+    MotionPriors priors(both());
+    for (int i = 0; i <= 40; ++i)
+      priors.take(odometryAt(kStart, 0.1 * i, (Tangent() << 5, 0, 0, 0, 0, 0).finished()));
+    const RegistrationEvidence evidence{1e6 * Matrix6::Identity(), Matrix6::Identity()};
+    for (int i = 0; i < 40; ++i) {
+      Pose T_from_to;
+      T_from_to.translation.x() = 0.5 * 1.01;
+      priors.observe(kStart.plusSeconds(0.1 * i), kStart.plusSeconds(0.1 * (i + 1)), T_from_to,
+                     evidence,
+                     is_rejected && i % 15 == 7 ? std::set<std::string>{MotionPriors::kOdometry}
+                                                : std::set<std::string>{});
+    }
+    EXPECT_EQ(*priors.account(MotionPriors::kOdometry).scale > 1.001, !is_rejected);
+  }
 }
 
 }  // namespace

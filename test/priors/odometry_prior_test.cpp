@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
 #include "support/measured_motion.h"
 
 namespace revisit_slam {
@@ -70,6 +73,18 @@ TEST(OdometryPrior, ACovarianceOfTheVelocityIsTaken) {
   EXPECT_NEAR(std::sqrt(of_motion(0, 0)), std::hypot(0.05, 0.02 * 0.5), 1e-3);
   EXPECT_NEAR(std::sqrt(of_motion(5, 5)), 0.02, 1e-3);
   EXPECT_GT(of_motion(3, 3), 1e3);
+}
+
+TEST(OdometryPrior, OfCorrelationsThatCannotBeTheVariancesAreTaken) {
+  OdometryPrior prior = priorUntil(0.0);
+  OdometryReading reading = odometryAt(kStart, 0.1, kVelocity);
+  Matrix6 covariance = 0.01 * Matrix6::Identity();
+  covariance(0, 1) = covariance(1, 0) = 0.5;
+  reading.velocity_covariance = covariance;
+  prior.readings().take(reading);
+  const Matrix6 of_motion = prior.motion(kStart, reading.stamp)->covariance;
+  EXPECT_GT(of_motion.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
+  EXPECT_NEAR(std::sqrt(of_motion(1, 1)), 0.1 * 0.1, 1e-3);
 }
 
 TEST(OdometryPrior, APlanarOneTellsNothingOfHeightAndTilt) {
@@ -142,6 +157,16 @@ TEST_F(WheelsOfAnotherDiameter, AreNotConfirmedByPosesThatFollowThem) {
   const double before = sigma();
   drive(280, 1e5, follows, 0.05);
   EXPECT_GT(sigma(), 0.8 * before);
+}
+
+/// Each pose has a part of what the registration says, and the rest of the wheels.
+TEST_F(WheelsOfAnotherDiameter, AreNoBetterKnownThanTheyShow) {
+  for (int i = 0; i < 400; ++i) {
+    const double share = 0.3, follows = (1.0 - share) * (1.0 - prior_.scale() / kTrueScale);
+    drive(1, 1e5, follows, share);
+  }
+  EXPECT_LT(std::abs(prior_.scale() - kTrueScale), 2.0 * sigma() * kTrueScale);
+  EXPECT_GT(prior_.scale(), 1.0);
 }
 
 TEST_F(WheelsOfAnotherDiameter, AreNotJudgedByARegistrationGoneWrong) {

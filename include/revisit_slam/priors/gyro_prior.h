@@ -10,8 +10,8 @@
 namespace revisit_slam {
 
 /// The rotation of the base as a gyro has it. Its bias is what remains between the integrated and
-/// the registered rotation over some seconds, at rest as in motion: registrations refer to a map,
-/// so that their errors do not add up.
+/// the registered rotation over some seconds, at rest as in motion, about the axes about which
+/// the registration knows it: registrations refer to a map, so that their errors do not add up.
 class GyroPrior {
  public:
   explicit GyroPrior(const PriorsConfig& config);
@@ -22,8 +22,12 @@ class GyroPrior {
   /// Nothing where readings are missing between the instants.
   std::optional<MeasuredMotion> motion(Stamp from, Stamp to) const;
 
-  /// The base was registered with this motion; stamps go on from call to call.
-  void observe(Stamp from, Stamp to, const Pose& T_from_to);
+  /// The base was registered with this motion; stamps go on from call to call. `information`: of
+  /// the registration alone, of right perturbations [m; rad]: where it knows nothing the pose
+  /// follows the gyro, and says nothing of its bias.
+  void observe(Stamp from, Stamp to, const Pose& T_from_to, const Matrix6& information);
+  /// What was measured lately is wrong, and no evidence.
+  void skip() { window_ = {}; }
 
   const Eigen::Vector3d& bias() const { return bias_; }  ///< rad/s
 
@@ -38,6 +42,7 @@ class GyroPrior {
     double seconds = 0.0;
     Eigen::Quaterniond measured = Eigen::Quaterniond::Identity();
     Eigen::Quaterniond registered = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d variance = Eigen::Vector3d::Zero();  // rad^2, of a registration, the largest
   };
 
   GyroNoiseConfig noise_;
@@ -45,7 +50,7 @@ class GyroPrior {
   double gate_;
   ReadingBuffer<ImuReading> readings_;
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();
-  double bias_variance_;  // (rad/s)^2, of each axis
+  Eigen::Vector3d bias_variance_;  // (rad/s)^2
   Window window_;
 };
 

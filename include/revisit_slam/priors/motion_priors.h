@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "revisit_slam/priors/gyro_prior.h"
@@ -42,8 +43,10 @@ class MotionPriors {
   /// Likewise of one sensor.
   std::optional<MeasuredMotion> measure(const std::string& sensor, Stamp from, Stamp to) const;
 
-  /// The scan at the stamp `to` is registered; its measurements were used or not.
-  void observe(Stamp from, Stamp to, const Pose& T_from_to, const RegistrationEvidence& evidence);
+  /// The scan at the stamp `to` is registered. What a sensor of `rejected` measured contradicted
+  /// the prediction: it is no evidence on its scale or bias.
+  void observe(Stamp from, Stamp to, const Pose& T_from_to, const RegistrationEvidence& evidence,
+               const std::set<std::string>& rejected = {});
   PriorAccount& account(const std::string& sensor) { return accounts_.at(sensor); }
   const std::map<std::string, PriorAccount>& accounts() const { return accounts_; }
 

@@ -25,6 +25,8 @@ class OdometryPrior {
   /// The base was registered with this motion; stamps go on from call to call. A pose
   /// that follows the prediction says little of the scale.
   void observe(Stamp from, Stamp to, const Pose& T_from_to, const RegistrationEvidence& evidence);
+  /// What was measured lately is wrong, and no evidence.
+  void skip() { window_ = {}; }
 
   double scale() const { return scale_; }  ///< true metres for each that is measured
 
