@@ -30,8 +30,14 @@ void GravityTrack::take(const ImuReading& reading) {
 std::optional<GravityDirection> GravityTrack::observe(ScanId id, Stamp stamp,
                                                       const Pose& T_odom_base) {
   if (!config_.enabled || readings_.empty()) return std::nullopt;
-  if (!scans_.empty() && secondsBetween(scans_.back().stamp, stamp) > kLongestGap) scans_.clear();
-  scans_.push_back({id, stamp, T_odom_base});
+  if (!scans_.empty() && secondsBetween(scans_.back().stamp, stamp) > kLongestGap) {
+    ++account_.received;
+    ++account_.dropped["scans are missing"];
+    scans_.clear();
+  }
+  const bool repeats = newest_ && newest_->id == id;
+  newest_ = {id, stamp, T_odom_base, repeats ? newest_->R_odom_first : T_odom_base.rotation};
+  scans_.push_back(*newest_);
   const bool is_whole = secondsBetween(scans_.front().stamp, stamp) >= config_.window;
   std::optional<GravityDirection> direction;
   if (is_whole) {
@@ -56,8 +62,7 @@ std::optional<GravityDirection> GravityTrack::endWindow() {
     return drop("not of the size of gravity");
   ++account_.used;
   last_ = scans_[middle].id;
-  const Eigen::Quaterniond& R_odom_base = scans_[middle].T_odom_base.rotation;
-  return GravityDirection{*last_, R_odom_base.conjugate() * up_odom.normalized()};
+  return GravityDirection{*last_, scans_[middle].R_odom_first.conjugate() * up_odom.normalized()};
 }
 
 std::size_t GravityTrack::middleScan() const {
@@ -68,7 +73,7 @@ std::size_t GravityTrack::middleScan() const {
   return static_cast<std::size_t>(middle - scans_.begin());
 }
 
-/// int w R_odom_base f dt, by readings that come at an even rate. Nothing where some are missing.
+/// int w R_odom_base f dt, linear from reading to reading. Nothing where many are missing.
 std::optional<Eigen::Vector3d> GravityTrack::meanForce(std::size_t middle) const {
   const Stamp begin = scans_.front().stamp, end = scans_.back().stamp;
   const double rise = secondsBetween(begin, scans_[middle].stamp);
@@ -76,15 +81,22 @@ std::optional<Eigen::Vector3d> GravityTrack::meanForce(std::size_t middle) const
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double weights = 0.0;
   Stamp before = begin;
+  Eigen::Vector3d weighted_before = Eigen::Vector3d::Zero();
+  double weight_before = 0.0;
   for (const ImuReading& reading : readings_) {
     if (reading.stamp < begin) continue;
     if (reading.stamp > end) break;
     if (secondsBetween(before, reading.stamp) > kLongestSilence) return std::nullopt;
-    before = reading.stamp;
     const double since = secondsBetween(begin, reading.stamp);
     const double weight = since < rise ? since / rise : (rise + fall - since) / fall;
-    sum += weight * (orientationAt(reading.stamp) * *reading.acceleration);
-    weights += weight;
+    const Eigen::Vector3d weighted =
+        weight * (orientationAt(reading.stamp) * *reading.acceleration);
+    const double seconds = secondsBetween(before, reading.stamp);
+    sum += seconds * (weighted + weighted_before);
+    weights += seconds * (weight + weight_before);
+    before = reading.stamp;
+    weighted_before = weighted;
+    weight_before = weight;
   }
   if (secondsBetween(before, end) > kLongestSilence) return std::nullopt;
   return Eigen::Vector3d(sum / weights);
@@ -112,6 +124,7 @@ Eigen::Vector3d GravityTrack::acceleration(std::size_t middle) const {
 
 void GravityTrack::restart() {
   scans_.clear();
+  newest_.reset();
   last_.reset();
   account_ = {};
 }

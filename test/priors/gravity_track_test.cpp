@@ -96,6 +96,57 @@ TEST(GravityTrack, HasNoneWhereTheUnitFellOutForAMoment) {
   EXPECT_EQ(track.account().dropped.at("accelerations are missing"), 1u);
 }
 
+/// While it brakes, too: what was missed is as much as what was measured around it.
+TEST(GravityTrack, AFewReadingsThatAreMissingDoNotTiltIt) {
+  for (const int from : {100, 150, 200, 250}) {
+    GravityTrack track({});
+    for (int i = 0; i <= 400; ++i)
+      if (i < from || i >= from + 23) track.take(readingAt(0.01 * i));
+    for (int scan = 0; scan <= 40; ++scan) {
+      const auto direction =
+          track.observe(ScanId{static_cast<std::uint32_t>(scan)},
+                        Stamp::fromSeconds(100.0 + 0.1 * scan), poseAt(0.1 * scan));
+      if (!direction) continue;
+      const Eigen::Vector3d up_odom =
+          poseAt(0.1 * direction->scan.value).rotation * direction->up_base;
+      EXPECT_LT((up_odom - upInOdom()).norm(), 1e-3) << from;
+    }
+    EXPECT_EQ(track.account().used, 1u);
+  }
+}
+
+/// A vehicle that tilts while it is loaded has one id; the graph knows the scan that came first.
+TEST(GravityTrack, AtRestTheDirectionIsInTheFrameOfTheScanThatTheGraphKnows) {
+  GravityTrack track({});
+  const auto poseOf = [](double seconds) {
+    return Pose{expSO3({0.0, 0.01 * seconds, 0.0}), Eigen::Vector3d::Zero()};
+  };
+  std::optional<GravityDirection> direction;
+  for (int scan = 0; scan <= 40; ++scan) {
+    for (int i = 0; i < 10; ++i) {
+      ImuReading reading;
+      reading.stamp = Stamp::fromSeconds(100.0 + 0.1 * scan + 0.01 * i);
+      reading.acceleration =
+          poseOf(0.1 * scan + 0.01 * i).rotation.conjugate() * Eigen::Vector3d(0, 0, kGravity);
+      track.take(reading);
+    }
+    if (const auto found =
+            track.observe(ScanId{7}, Stamp::fromSeconds(100.0 + 0.1 * scan), poseOf(0.1 * scan)))
+      direction = found;
+  }
+  ASSERT_TRUE(direction);
+  EXPECT_LT((direction->up_base - Eigen::Vector3d::UnitZ()).norm(), 1e-3);
+}
+
+TEST(GravityTrack, SaysWhereScansAreTooFarApart) {
+  GravityTrack track({});
+  for (int i = 0; i <= 400; ++i) track.take(readingAt(0.01 * i));
+  for (int scan = 0; scan <= 4; ++scan)
+    track.observe(ScanId{static_cast<std::uint32_t>(scan)}, Stamp::fromSeconds(100.0 + scan),
+                  poseAt(scan));
+  EXPECT_EQ(track.account().dropped.at("scans are missing"), 4u);
+}
+
 TEST(GravityTrack, HasNoneOfAUnitThatMeasuresSomethingElse) {
   GravityTrack track({});
   for (int i = 0; i <= 400; ++i) {

@@ -46,6 +46,7 @@ class GravityTrack {
     ScanId id;
     Stamp stamp;
     Pose T_odom_base;
+    Eigen::Quaterniond R_odom_first;  // of the first scan of this id, which the graph knows
   };
 
   std::optional<GravityDirection> endWindow();
@@ -57,6 +58,7 @@ class GravityTrack {
   GravityConfig config_;
   std::deque<ImuReading> readings_;  // since the window's begin, in order of stamps
   std::vector<Placed> scans_;        // of the window
+  std::optional<Placed> newest_;     // scan, of windows before as well
   std::optional<ScanId> last_;       // that was given a direction
   PriorAccount account_;
 };
