@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/priors/gnss_track.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "revisit_slam/priors/covariance_check.h"
 #include "revisit_slam/types/se3.h"
 
 namespace revisit_slam {
 namespace {
 
 constexpr double kLongestGap = 1.0;         // s, between scans over which is interpolated
+constexpr double kLongestSilence = 10.0;    // s, of scans without a position
 constexpr std::size_t kMostWaiting = 3000;  // a minute at 50 Hz: scans have stopped
-
-/// Some drivers fill all entries with one number: nothing can be weighed with that.
-bool isCovariance(const Eigen::Matrix3d& matrix) {
-  constexpr double least_share = 1e-6;  // of the smallest variance, along any axis
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> along_axes(matrix, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d& variances = along_axes.eigenvalues();
-  return variances.minCoeff() > least_share * variances.maxCoeff();
-}
 
 Pose interpolated(const Pose& from, const Pose& to, double share) {
   return boxplus(from, share * log(from.inverse() * to));
@@ -30,6 +23,7 @@ Pose interpolated(const Pose& from, const Pose& to, double share) {
 
 void GnssTrack::take(GnssReading reading) {
   ++account_.received;
+  was_heard_ = true;
   reading.stamp = reading.stamp.plusSeconds(config_.time_offset);
   if (!scans_.empty() && reading.stamp.plusSeconds(config_.max_delay) <= scans_.back().stamp)
     return drop("too late");
@@ -39,8 +33,7 @@ void GnssTrack::take(GnssReading reading) {
   if (place != waiting_.end() && place->stamp == reading.stamp) return drop("duplicate stamp");
   const double variance = config_.min_deviation * config_.min_deviation;
   reading.covariance_enu.diagonal() = reading.covariance_enu.diagonal().cwiseMax(variance);
-  if (!isCovariance(reading.covariance_enu))
-    reading.covariance_enu = Eigen::Matrix3d(reading.covariance_enu.diagonal().asDiagonal());
+  reading.covariance_enu = withPossibleCorrelations(reading.covariance_enu);
   waiting_.insert(place, std::move(reading));
   if (waiting_.size() <= kMostWaiting) return;
   waiting_.pop_front();
@@ -54,6 +47,8 @@ void GnssTrack::countDropped(const std::string& reason) {
 
 void GnssTrack::observe(ScanId id, Stamp stamp, const Pose& T_odom_base) {
   if (!isConnected()) return;
+  if (!heard_at_ || std::exchange(was_heard_, false)) heard_at_ = stamp;
+  account_.is_silent = secondsBetween(*heard_at_, stamp) > kLongestSilence;
   const bool repeats = !scans_.empty() && scans_.back().id == id;
   scans_.push_back({id, stamp, T_odom_base, repeats ? scans_.back().T_odom_first : T_odom_base});
   const Stamp oldest = waiting_.empty() ? stamp : std::min(stamp, waiting_.front().stamp);
@@ -96,6 +91,8 @@ void GnssTrack::restart() {
   waiting_.clear();
   scans_.clear();
   last_odom_.reset();
+  was_heard_ = false;
+  heard_at_.reset();
   account_ = {};
 }
 

@@ -139,6 +139,20 @@ TEST(GnssTrack, NoPositionIsSurerThanTheSmallestDeviation) {
   EXPECT_NEAR(fixes[0].covariance_enu(0, 0), 0.01, 1e-9);
 }
 
+TEST(GnssTrack, AReceiverWithoutPositionsIsSilent) {
+  GnssTrack track(connected());
+  drive(track, 0, 90);
+  EXPECT_FALSE(track.account().is_silent);
+  track.countDropped("no fix");
+  drive(track, 90, 120);
+  EXPECT_TRUE(track.account().is_silent);
+  track.take(readingAt(12.0));
+  drive(track, 120, 130);
+  EXPECT_FALSE(track.account().is_silent);
+  drive(track, 130, 240);
+  EXPECT_TRUE(track.account().is_silent);
+}
+
 TEST(GnssTrack, AnotherSessionBeginsAnew) {
   GnssTrack track(connected());
   track.take(readingAt(0.25));

@@ -54,6 +54,8 @@ class GnssTrack {
   std::deque<GnssReading> waiting_;  // in order of stamps
   std::deque<Placed> scans_;
   std::optional<Eigen::Vector3d> last_odom_;  // the antenna at the last position that was tied
+  bool was_heard_ = false;                    // since the last scan
+  std::optional<Stamp> heard_at_;  // the scan by which there was a position, or the first
   PriorAccount account_;
 };
 

@@ -18,7 +18,7 @@ struct PriorAccount {
   std::size_t missing = 0;                     ///< scans for which it had no readings
   std::optional<double> scale;                 ///< of an odometry, as estimated so far
   std::optional<Eigen::Vector3d> bias;         ///< of a gyro, as estimated so far, rad/s
-  bool is_silent = false;  ///< scans do not wait for it: its messages did not come in time
+  bool is_silent = false;  ///< nothing that can be used came in time: scans do not wait for it
 };
 
 }  // namespace revisit_slam

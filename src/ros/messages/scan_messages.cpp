@@ -131,6 +131,20 @@ void addAccount(const ScanAccount& account, diagnostic_msgs::DiagnosticStatus& s
     addValue("points dropped, " + reason, std::to_string(count), status);
 }
 
+namespace {
+
+/// Why most of the messages that came could not be used.
+std::string mostDropped(const PriorAccount& account) {
+  const auto most =
+      std::max_element(account.dropped.begin(), account.dropped.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == account.dropped.end()) return "";
+  return " that can be used (" + std::to_string(most->second) + " of " +
+         std::to_string(account.received) + ": " + most->first + ")";
+}
+
+}  // namespace
+
 void addPriors(const std::map<std::string, PriorAccount>& accounts,
                diagnostic_msgs::DiagnosticStatus& status) {
   for (const auto& [sensor, account] : accounts) {
@@ -144,7 +158,7 @@ void addPriors(const std::map<std::string, PriorAccount>& accounts,
     if (account.bias) addValue(sensor + " bias, rad/s", onOneLine(*account.bias), status);
     if (!account.is_silent) continue;
     if (status.level == status.OK) status.level = status.WARN;
-    status.message += ", no messages of " + sensor;
+    status.message += ", no messages of " + sensor + mostDropped(account);
   }
 }
 
