@@ -8,17 +8,21 @@ namespace revisit_slam {
 PredictedMotion ConstantVelocityPredictor::predict(Stamp stamp) const {
   PredictedMotion predicted;
   predicted.seconds = observed_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
-  predicted.is_after_gap = predicted.seconds > max_prediction_time_;
+  predicted.is_after_gap = predicted.seconds > longestExtrapolation();
   predicted.is_known = observed_ > 1 && !predicted.is_after_gap;
   predicted.velocity = motion_;
-  predicted.T_previous_base = motion_.after(std::min(predicted.seconds, max_prediction_time_));
+  predicted.T_previous_base = motion_.after(std::min(predicted.seconds, longestExtrapolation()));
   if (observed_ > 1) predicted.covariance = covarianceOf(predicted);
   return predicted;
 }
 
+double ConstantVelocityPredictor::longestExtrapolation() const {
+  return std::max(0.0, max_prediction_time_ - untold_);
+}
+
 /// After a gap the way that was not extrapolated may be missing as well.
 Matrix6 ConstantVelocityPredictor::covarianceOf(const PredictedMotion& predicted) const {
-  const double left_out = std::max(0.0, predicted.seconds - max_prediction_time_);
+  const double left_out = std::max(0.0, predicted.seconds - longestExtrapolation());
   const Tangent missing = left_out * predicted.velocity.velocity();
   return filter_.predictedCovariance(predicted.T_previous_base, predicted.seconds) +
          missing * missing.transpose();
@@ -33,7 +37,10 @@ void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
                    log(predicted.T_previous_base.inverse() * T_previous_base), information);
   else if (observed_ > 0)
     filter_.start(predicted.seconds, information);
-  if (observed_ > 0) motion_ = ConstantMotion(log(T_previous_base) / predicted.seconds);
+  const bool is_told = !information.isZero();
+  if (observed_ > 0 && (is_told || !predicted.is_after_gap))
+    motion_ = ConstantMotion(log(T_previous_base) / predicted.seconds);
+  untold_ = is_told || observed_ == 0 ? 0.0 : untold_ + predicted.seconds;
   T_odom_previous_ = T_odom_base;
   previous_stamp_ = stamp;
   observed_ = std::min(observed_ + 1, 2);
@@ -41,6 +48,7 @@ void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
 
 void ConstantVelocityPredictor::forget() {
   observed_ = 0;
+  untold_ = 0.0;
   motion_ = ConstantMotion();
   filter_ = VelocityFilter();
 }

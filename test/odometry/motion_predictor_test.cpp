@@ -45,6 +45,32 @@ TEST(ConstantVelocityPredictor, AGapLeavesOutAsMuchAsTheCovarianceSays) {
   EXPECT_GT((*predicted.covariance)(0, 0), missing * missing);
 }
 
+TEST(ConstantVelocityPredictor, AScanThatTellsNothingIsNoReasonToGoOnForEver) {
+  ConstantVelocityPredictor predictor = drivenFor(200, kPrecise);
+  double position = kSpeed * 19.9, missing_variance = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const PredictedMotion predicted = predictor.predict(stampAt(20.0 + 0.1 * i));
+    position += predicted.T_previous_base.translation.x();
+    missing_variance += (*predicted.covariance)(0, 0);
+    predictor.observe(stampAt(20.0 + 0.1 * i),
+                      {Eigen::Quaterniond::Identity(), {position, 0.0, 0.0}}, Matrix6::Zero());
+  }
+  EXPECT_NEAR(position, kSpeed * (19.9 + OdometryConfig().max_prediction_time), 0.02);
+  EXPECT_GT(missing_variance, 90 * 0.25 * kSpeed * 0.1 * kSpeed * 0.1);  // it may well have gone on
+  EXPECT_TRUE(predictor.predict(stampAt(30.0)).is_after_gap);
+}
+
+TEST(ConstantVelocityPredictor, GoesOnOnceScansTellOfTheMotionAgain) {
+  ConstantVelocityPredictor predictor = drivenFor(200, kPrecise);
+  for (int i = 0; i < 20; ++i)
+    predictor.observe(stampAt(20.0 + 0.1 * i), poseAt(20.9), Matrix6::Zero());
+  predictor.observe(stampAt(22.0), poseAt(22.0), kPrecise);
+  predictor.observe(stampAt(22.1), poseAt(22.1), kPrecise);
+  const PredictedMotion predicted = predictor.predict(stampAt(22.2));
+  EXPECT_TRUE(predicted.is_known);
+  EXPECT_NEAR(predicted.T_previous_base.translation.x(), 0.1 * kSpeed, 1e-6);
+}
+
 TEST(ConstantVelocityPredictor, ForgetsTheMotionWhenTheTrackIsLost) {
   ConstantVelocityPredictor predictor = drivenFor(20, kPrecise);
   predictor.forget();

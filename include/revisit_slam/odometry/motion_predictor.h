@@ -29,7 +29,8 @@ struct PredictedMotion {
   /// Whether motion was seen before, and lately: what the prediction misses then says something
   /// about the motion. False at the first two scans and after a long gap.
   bool is_known = false;
-  bool is_after_gap = false;  ///< too long since the previous scan to extrapolate all of it
+  /// Too long since the previous scan that told of the motion to extrapolate all of it.
+  bool is_after_gap = false;
   /// By wheels, for one: what it misses is not an error of extrapolation.
   bool is_measured = false;
   /// By which it is then weighed beside the registration: more than the inverse of `covariance`, as
@@ -59,8 +60,9 @@ class MotionPredictor {
 };
 
 /// The base goes on as it did between the two scans before (KISS-ICP Sec. III-A). Over longer gaps
-/// than max_prediction_time it is extrapolated only so far. How far the motion may deviate follows
-/// from the accelerations that this platform has shown (VelocityFilter).
+/// than max_prediction_time it is extrapolated only so far, and likewise where scans tell nothing
+/// of the motion for so long: with a covered sensor the base does not fly on for ever. How far the
+/// motion may deviate follows from the accelerations that this platform has shown (VelocityFilter).
 class ConstantVelocityPredictor final : public MotionPredictor {
  public:
   explicit ConstantVelocityPredictor(const OdometryConfig& config) { reconfigure(config); }
@@ -74,8 +76,10 @@ class ConstantVelocityPredictor final : public MotionPredictor {
 
  private:
   Matrix6 covarianceOf(const PredictedMotion& predicted) const;
+  double longestExtrapolation() const;
 
   double max_prediction_time_ = 0.0;  // s
+  double untold_ = 0.0;               // s, since a scan told of the motion
   int observed_ = 0;                  // up to 2
   Stamp previous_stamp_;
   Pose T_odom_previous_;
