@@ -11,7 +11,7 @@ ClosedMaps MapHierarchy::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
   next_submap_.session = open_.id.session = id.session;
   ClosedMaps closed;
   if (!builder_.empty()) {
-    if (travel_.exceeds(config_.local_map.scaled(size_), T_odom_base)) {
+    if (start.after_loss || travel_.exceeds(config_.local_map.scaled(size_), T_odom_base)) {
       closed = closeAll();
     } else if (builder_.travel().exceeds(config_.submap.scaled(builder_.size()), T_odom_base)) {
       closed.submap = closeSubmap();
@@ -22,6 +22,7 @@ ClosedMaps MapHierarchy::insert(ScanId id, Stamp stamp, const Pose& T_odom_base,
     travel_.start(T_odom_base);
     size_ = start.size;
     scale_ = start.scale;
+    open_.after_loss = start.after_loss;
   }
   travel_.go(T_odom_base);
   builder_.insert(id, stamp, T_odom_base, points_base, start);
@@ -45,7 +46,8 @@ SubmapPtr MapHierarchy::closeSubmap() {
 LocalMapPtr MapHierarchy::closeLocalMap() {
   const LocalMapId next{open_.id.value + 1, open_.id.session};
   open_.points = unionOfPoints(open_.submaps, scale_ * config_.local_map_voxel_size);
-  auto local_map = std::make_shared<const LocalMap>(std::exchange(open_, LocalMap{next, {}, {}}));
+  auto local_map =
+      std::make_shared<const LocalMap>(std::exchange(open_, LocalMap{next, {}, {}, false}));
   return local_map;
 }
 

@@ -87,6 +87,7 @@ SubmapStart MapManager::startWith(const RegisteredScan& scan, const Unsure& unsu
   unsure_.weak_height += unsure.weak_height * step;
   unsure_.doubt += unsure.doubt;
   start.unsure = unsure_;
+  start.after_loss = scan.verdict == PoseVerdict::lost;
   start.sensor_base = scan.sensor_base;
   return start;
 }

@@ -219,8 +219,10 @@ OdometryStage::Result OdometryStage::registerScan(ScanReading reading) {
 }
 
 /// Scans at rest have the number of the last one that counts, and add nothing to the graph: what is
-/// due goes with the next that does. @return whether this one is at rest.
+/// due goes with the next that does. Where a base was carried meanwhile, it does not rest where it
+/// is held to be. @return whether this one is at rest.
 bool OdometryStage::nameScan(RegisteredScan& scan) {
+  if (scan.verdict == PoseVerdict::lost) rest_ = RestDetector(rest_interval_);
   const bool is_repeated = rest_.repeats(scan.stamp, scan.T_odom_base);
   scan.id = {is_repeated ? ids_ - 1 : ids_, session_};
   gnss_.observe(scan.id, scan.stamp, scan.T_odom_base);

@@ -47,6 +47,22 @@ TEST(MapHierarchy, SplitsByDisplacement) {
   EXPECT_EQ(closed.local_maps[1]->submaps.front()->first_scan.value, 101u);
 }
 
+TEST(MapHierarchy, NoMapGoesOnWhereTheTrackIsLost) {
+  MapHierarchy hierarchy{MappingConfig{}};
+  Closed closed;
+  for (unsigned i = 0; i < 20; ++i) {
+    SubmapStart start;
+    start.after_loss = i == 7;
+    closed.add(hierarchy.insert({i}, Stamp{i}, straight(20)[i], {{0, 5, 0}}, start));
+  }
+  closed.add(hierarchy.closeAll());
+  ASSERT_EQ(closed.local_maps.size(), 2u);
+  EXPECT_EQ(closed.local_maps[0]->submaps.back()->lastScan().value, 6u);
+  EXPECT_FALSE(closed.local_maps[0]->after_loss);
+  EXPECT_EQ(closed.local_maps[1]->submaps.front()->first_scan.value, 7u);
+  EXPECT_TRUE(closed.local_maps[1]->after_loss);
+}
+
 TEST(MapHierarchy, SubmapsKnowHowFarTheOdometryHadCome) {
   for (const SubmapPtr& submap : mapsOf(straight(230)).submaps) {
     EXPECT_NEAR(submap->travelled_begin, submap->first_scan.value, 1e-9);
@@ -156,10 +172,13 @@ TEST(MapHierarchy, NormalsAreOnTheSideThatWasSeen) {
   const SubmapPtr above = hierarchy.closeAll().submap;
   hierarchy.insert({1}, {}, {}, slab);
   const SubmapPtr below = hierarchy.closeAll().submap;
+  std::size_t known = 0;
   for (std::size_t i = 0; i < above->normals.size(); ++i) {
     EXPECT_GE(above->normals[i].z(), 0.0f);
     EXPECT_LE(below->normals[i].z(), 0.0f);
+    known += above->normals[i].z() > 0.9f && below->normals[i].z() < -0.9f;
   }
+  EXPECT_GT(known, above->points.size() * 9 / 10);
 }
 
 TEST(MapHierarchy, GoesOnAfterClosingOnRequest) {

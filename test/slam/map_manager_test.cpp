@@ -134,6 +134,25 @@ TEST_F(MapManagerTest, whereScansHardlyHoldThePoseTheDistanceIsUnsure) {
   EXPECT_NEAR(maps_[1]->submap->unsure_begin.doubt, 6.0, 1e-9);
 }
 
+TEST_F(MapManagerTest, aLostTrackBeginsANewLocalMap) {
+  InlineLane building, searching;
+  MapManager manager(config_, building, searching, outputs());
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const InformedScan informed = scan(i, 5.0 * i);
+    auto lost = std::make_shared<RegisteredScan>(*informed.scan);
+    if (i == 3) lost->verdict = PoseVerdict::lost;
+    InformedScan judged = informed;
+    judged.scan = lost;
+    judged.verdict = lost->verdict;
+    manager.insert(judged);
+  }
+  manager.close(1);
+  ASSERT_EQ(maps_.size(), 2u);
+  ASSERT_TRUE(maps_[0]->local_map && maps_[1]->local_map);
+  EXPECT_EQ(maps_[1]->submap->first_scan.value, 3u);
+  EXPECT_TRUE(maps_[1]->local_map->after_loss);
+}
+
 TEST_F(MapManagerTest, aNewSessionClosesTheMapsOfTheOneBefore) {
   InlineLane building, searching;
   MapManager manager(config_, building, searching, outputs());

@@ -95,6 +95,25 @@ TEST(OdometryStage, scansOfABaseThatRestsRepeatAnId) {
   EXPECT_EQ(processOne(stage, readingOf(drive.scans[0])).output.scan->id.value, 0u);
 }
 
+TEST(OdometryStage, aBaseThatIsCarriedWhileItRestsIsNoLongerWhereItWas) {
+  Scan scan = driveInRoom(1).scans[0];
+  OdometryStage stage(roomSlam());
+  int repeated = 0;
+  for (int i = 0; i < 60; ++i) {
+    if (i == 50)  // into a high and narrow hall
+      for (Eigen::Vector3f& point : scan.points)
+        point = {0.4f * point.x(), 0.4f * point.y(), 3.0f * point.z()};
+    const auto account = stage.account().at_rest;
+    const auto output = processOne(stage, readingOf(scan)).output;
+    repeated += stage.account().at_rest > account ? 1 : 0;
+    scan.stamp = scan.stamp.plusSeconds(0.1);
+    if (i < 50) continue;
+    EXPECT_EQ(output.scan->verdict, i == 50 ? PoseVerdict::lost : PoseVerdict::good) << i;
+    EXPECT_EQ(stage.account().at_rest, account) << i;
+  }
+  EXPECT_GT(repeated, 10);
+}
+
 TEST(OdometryStage, joinsPartsToTheSweepsThatTheyAreOf) {
   const Drive drive = driveInRoom(12);
   OdometryStage whole_stage(roomSlam()), parts_stage(roomSlam());

@@ -14,7 +14,7 @@ struct ClosedMaps {
 
 /// Cuts the drive into submaps, and these into local maps (paper Sec. III-C). Ids count from 0.
 /// Where the surroundings are narrow both are smaller, as their first scan says, and so are their
-/// voxels.
+/// voxels. Where the odometry has lost its track both end: within them poses are held to be right.
 class MapHierarchy {
  public:
   explicit MapHierarchy(const MappingConfig& config)

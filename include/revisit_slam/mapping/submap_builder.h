@@ -27,6 +27,7 @@ struct SubmapStart {
   double size = 1.0;   ///< of submaps and local maps, as a share of the configured one
   double scale = 1.0;  ///< of their voxels, likewise
   UnsureDistance unsure;
+  bool after_loss = false;  ///< nothing ties the pose to those before: a new local map begins
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where points are seen from
 };
 

@@ -57,6 +57,8 @@ struct LocalMap {
   std::vector<SubmapPtr> submaps;
   /// One point (the mean) for each occupied voxel of edge nu_loc, in the local map's frame.
   Points points;
+  /// Nothing ties its pose to the local maps before: the odometry had lost its track.
+  bool after_loss = false;
 
   const Pose& T_odom_local() const { return submaps.front()->T_odom_submap; }
 };

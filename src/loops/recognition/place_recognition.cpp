@@ -72,13 +72,19 @@ std::optional<PlaceMatch> PlaceRecognition::compare(const PlaceView& query,
 
 std::optional<PlaceMatch> PlaceRecognition::recognise(const LocalMap& map) {
   last_ = viewPlace(map, config_);
-  std::size_t places = places_.size();
-  for (int i = 0; i < config_.newest_excluded && places > 0; ++i, --places)
-    if (places_[places - 1].id.session != map.id.session) break;
-  candidates_ = find(last_, places);
+  candidates_ = find(last_, placesToSearch(map));
   add(map.id, last_.T_level_local, last_.features);
   if (candidates_.empty() || !isRecognised(candidates_.front())) return {};
   return candidates_.front();
+}
+
+/// Where the odometry knows the way from the newest ones to the map, those say nothing new.
+std::size_t PlaceRecognition::placesToSearch(const LocalMap& map) {
+  if (map.after_loss) before_loss_ = places_.size();
+  std::size_t places = places_.size();
+  for (int i = 0; i < config_.newest_excluded && places > before_loss_; ++i, --places)
+    if (places_[places - 1].id.session != map.id.session) break;
+  return places;
 }
 
 void PlaceRecognition::add(LocalMapId id, const Pose& T_level_local,

@@ -66,6 +66,19 @@ TEST(PlaceRecognition, LeavesOutTheNewestMaps) {
   EXPECT_EQ(recognition.candidates().size(), 2u);
 }
 
+TEST(PlaceRecognition, LeavesOutNoneFromBeforeTheTrackWasLost) {
+  const LocalMap map = Town(1).mapAt(0, poseInTown(0, 0, 0));
+  PlaceRecognition recognition{PlaceRecognitionConfig()};
+  EXPECT_FALSE(recognition.recognise(map));
+  LocalMap after_loss = namedMap(1, map.points);
+  after_loss.after_loss = true;
+  const auto match = recognition.recognise(after_loss);
+  ASSERT_TRUE(match);
+  EXPECT_EQ(match->target, LocalMapId{0});
+  ASSERT_TRUE(recognition.recognise(namedMap(2, map.points)));
+  EXPECT_EQ(recognition.candidates().size(), 1u) << "the map after the loss is one of the newest";
+}
+
 TEST(PlaceRecognition, TakesAnyMap) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   PlaceRecognition recognition(withNewest());

@@ -39,8 +39,9 @@ class PlaceRecognition {
   /// Takes effect with the next map; the places seen so far stay as they are.
   void reconfigure(const PlaceRecognitionConfig& config) { config_ = config; }
 
-  /// Looks for `map` among the maps seen so far, but for the newest of its session, and then adds
-  /// it. Takes any map; one without features matches nothing.
+  /// Looks for `map` among the maps seen so far, but for the newest since its session began or the
+  /// odometry had lost its track, and then adds it. Takes any map; one without features matches
+  /// nothing.
   /// @return the best candidate, if more than min_inliers features agree on it.
   std::optional<PlaceMatch> recognise(const LocalMap& map);
 
@@ -74,10 +75,12 @@ class PlaceRecognition {
   };
 
   std::vector<PlaceMatch> find(const PlaceView& query, std::size_t places) const;
+  std::size_t placesToSearch(const LocalMap& map);
   std::optional<PlaceMatch> compare(const PlaceView& query, const Place& place) const;
 
   PlaceRecognitionConfig config_;
   std::vector<Place> places_;
+  std::size_t before_loss_ = 0;  // places that the odometry does not connect with those that follow
   std::vector<PlaceMatch> candidates_;
   PlaceView last_;
 };
