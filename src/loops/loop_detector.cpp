@@ -28,6 +28,7 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
     : enabled_(loops.enabled),
       drift_(loops.closer.drift),
       max_pairs_(retroactive.max_pairs),
+      max_partners_(retroactive.max_partners),
       search_at_end_(retroactive.search_at_end),
       recognition_(loops.recognition),
       appearance_closer_(loops.closer, information),
@@ -39,6 +40,7 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
 void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   drift_ = loops.closer.drift;
   max_pairs_ = retroactive.max_pairs;
+  max_partners_ = retroactive.max_partners;
   recognition_.reconfigure(loops.recognition);
   appearance_closer_.reconfigure(loops.closer);
   retroactive_closer_.reconfigure(closerConfig(loops, retroactive));
@@ -58,6 +60,7 @@ LocalMapPtr LoopDetector::withoutPoints(const LocalMapPtr& map) const {
   if (!library_ || !library_->has(map->submaps.front()->id)) return map;
   auto light = std::make_shared<LocalMap>();
   light->id = map->id;
+  light->after_loss = map->after_loss;
   for (const SubmapPtr& submap : map->submaps)
     light->submaps.push_back(library_->light(submap->id));
   return light;
@@ -69,6 +72,7 @@ LocalMapPtr LoopDetector::mapOf(LocalMapId id) const {
   if (!library_ || !library_->has(map->submaps.front()->id)) return map;
   auto whole = std::make_shared<LocalMap>();
   whole->id = map->id;
+  whole->after_loss = map->after_loss;
   for (const SubmapPtr& submap : map->submaps)
     whole->submaps.push_back(library_->whole(submap->id));
   return whole;
@@ -212,7 +216,8 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
       retroactive_.search(maps_, T_map_scan, searched_, n, closed_);
   const auto is_left_out = [&](const RetroactiveCandidate& candidate) {
     const auto& [source, target] = candidate.maps;
-    return tried.has(candidate.maps) || !groups_.areTied(source.session, target.session);
+    return tried.has(candidate.maps) || areWellTied(candidate.maps) ||
+           !groups_.areTied(source.session, target.session);
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
@@ -223,6 +228,16 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
   clock.stage("retroactive");
   result.times = clock.times();
   return done == candidates.size();
+}
+
+/// Both, by loops with others: one more tells hardly anything. Over laps of one place the pairs
+/// would grow with the square of the laps.
+bool LoopDetector::areWellTied(const LocalMapPair& maps) const {
+  const auto is_well_tied = [&](LocalMapId map) {
+    const auto entry = partners_.find(map);
+    return entry != partners_.end() && entry->second >= max_partners_;
+  };
+  return is_well_tied(maps.first) && is_well_tied(maps.second);
 }
 
 void LoopDetector::forgetChanged(TriedPairs& tried) const {
@@ -281,6 +296,12 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
   for (const LoopEdge& edge : correction->loops)
     if (edge.state != LoopState::rejected)
       closed_.insert({edge.loop.source_map, edge.loop.target_map});
+  partners_.clear();
+  for (const auto& [source, target] : closed_) {
+    if (source == target) continue;
+    ++partners_[source];
+    ++partners_[target];
+  }
   const SessionGroups groups(correction->loops);
   if (!is_first) searchAgainWhatWasJoined(groups);
   groups_ = groups;

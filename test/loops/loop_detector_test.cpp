@@ -47,6 +47,30 @@ TEST_F(LoopDetectorTest, aPairThatTheGraphHasTakenIsNotSearchedAgain) {
   EXPECT_TRUE(detector_.searchUnspent(tried).proposals.empty());
 }
 
+TEST(LoopDetector, MapsThatAreBothTiedToEnoughOthersAreNotCompared) {
+  for (const int enough : {1, 2}) {
+    RetroactiveConfig retroactive;
+    retroactive.max_partners = enough;
+    LoopsConfig loops;
+    loops.recognition.min_inliers = 10000;
+    LoopDetector detector(loops, retroactive, {});
+    const auto maps = streetRevisit();
+    for (const LocalMapPtr& map : maps) detector.searchByAppearance(map);
+    auto correction = std::make_shared<MapCorrection>();
+    for (const std::size_t later : {1, 2}) {  // each with the one before
+      LoopEdge edge;
+      edge.loop.source_map = maps[later]->id;
+      edge.loop.target_map = maps[later - 1]->id;
+      edge.loop.source = maps[later]->submaps.front()->id;
+      edge.loop.target = maps[later - 1]->submaps.front()->id;
+      edge.state = LoopState::active;
+      correction->loops.push_back(edge);
+    }
+    detector.correct(correction);
+    EXPECT_EQ(detector.searchRetroactively().proposals.empty(), enough == 1);
+  }
+}
+
 TEST_F(LoopDetectorTest, whatTheGraphRejectsIsNoClosure) {
   const auto found = detector_.searchRetroactively().accepted();
   ASSERT_FALSE(found.empty());

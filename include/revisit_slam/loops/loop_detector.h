@@ -78,6 +78,7 @@ class LoopDetector {
   ScanPoses placeScans() const;
   PairGuess guessOf(const LocalMapPair& maps, const ScanPoses& T_map_scan,
                     const GraphDrift& drift) const;
+  bool areWellTied(const LocalMapPair& maps) const;
   GraphDrift graphDrift() const;
   PriorOf priorsOf(const ScanPoses& T_map_scan) const;
   void closeMatches(const LocalMap& source, LoopSearchResult& result);
@@ -92,7 +93,7 @@ class LoopDetector {
 
   bool enabled_;
   DriftConfig drift_;
-  int max_pairs_;
+  int max_pairs_, max_partners_;
   bool search_at_end_;
   PlaceRecognition recognition_;
   LoopCloser appearance_closer_, retroactive_closer_;
@@ -107,6 +108,7 @@ class LoopDetector {
   SessionGroups groups_;                   // as the graph ties the sessions
   MapCorrectionPtr correction_;            // the newest; null: none yet
   std::set<LocalMapPair> closed_;          // by the graph
+  std::map<LocalMapId, int> partners_;     // in closed_, other maps than itself
   TriedPairs tried_;                       // after the window was last searched to its end
   std::optional<LocalMapId> searched_;     // p: up to it all maps were searched retroactively
 };

@@ -18,6 +18,7 @@ struct RetroactiveConfig {
   double low_drift_window = 300.0;
   int novelty_range = 5;
   int max_pairs = 10;
+  int max_partners = 10;
   bool search_at_end = true;
   bool within_maps = true;
 
@@ -45,6 +46,11 @@ struct RetroactiveConfig {
       "number of pairs of submaps after which a search stops; the local maps that are left are "
       "searched after the next optimisation. Raise it if closing loops takes many optimisations; "
       "lower it if a search takes too long");
+    v("max_partners", max_partners, Range{1, 1'000'000}, "",
+      "number of other local maps that a local map has loops with from which on it is not "
+      "compared with a further one that has as many. Raise it if more of the passes through a "
+      "place "
+      "should be tied directly; lower it if laps of one place take too long");
     v("search_at_end", search_at_end,
       "true: the local maps since the last loop by appearance are searched when the drive is over; "
       "false: only a loop by appearance starts a search, as in the paper");
