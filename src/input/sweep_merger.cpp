@@ -10,7 +10,10 @@
 namespace revisit_slam {
 namespace {
 
-constexpr double kDefaultPeriod = 0.1;         // s
+constexpr double kDefaultPeriod = 0.1;     // s
+constexpr double kShortestPeriod = 0.001;  // s: no sensor turns faster
+/// s: clocks that count from the start of the sensor are as far apart.
+constexpr double kLargestOffset = 4e9;
 constexpr std::int64_t kLeap = 1'000'000'000;  // ns: a stamp so far off has to be confirmed
 /// Of the first window a sweep that begins behind this share of it is a rest.
 constexpr double kLatestBegin = 0.5;
@@ -26,6 +29,9 @@ std::int64_t nanosecondsOf(double seconds) {
 SweepMerger::SweepMerger(const ScanInputConfig& config)
     : length_(nanosecondsOf(config.scan_period > 0.0 ? config.scan_period : kDefaultPeriod)),
       max_wait_(nanosecondsOf(config.max_wait)) {
+  if (config.scan_period > 0.0 && config.scan_period < kShortestPeriod)
+    throw ParameterError("input/scan_period is " + std::to_string(config.scan_period) +
+                         ", but sweeps take 0.001 to 2 s; 0: as the messages say");
   const std::vector<std::string> topics = wordsOf(config.topics);
   const std::vector<double> ranges =
       numbersOf(config.ranges, 2 * topics.size(), "input/ranges",
@@ -37,6 +43,9 @@ SweepMerger::SweepMerger(const ScanInputConfig& config)
     Sensor& sensor = sensors_.emplace_back();
     sensor.topic = topics[i];
     if (!offsets.empty()) sensor.time_offset = offsets[i];
+    if (std::abs(sensor.time_offset) > kLargestOffset)
+      throw ParameterError("input/time_offsets has " + std::to_string(sensor.time_offset) +
+                           " s, but may have -4e9 to 4e9 s");
     if (ranges.empty()) continue;
     sensor.nearest = static_cast<float>(ranges[2 * i] * ranges[2 * i]);
     sensor.farthest = static_cast<float>(ranges[2 * i + 1] * ranges[2 * i + 1]);
@@ -150,21 +159,21 @@ std::vector<ScanReading> SweepMerger::flush() {
   }
   while (const std::optional<std::int64_t> window = oldestWindow()) {
     const auto usual = static_cast<double>(last_size_);
-    std::optional<ScanReading> sweep = closeWindow(*window);
-    if (!sweep || static_cast<double>(sweep->scan->points.size()) < kSmallestRest * usual) continue;
-    sweeps.push_back(std::move(*sweep));
+    if (std::optional<ScanReading> sweep = closeWindow(*window, kSmallestRest * usual))
+      sweeps.push_back(std::move(*sweep));
   }
   return sweeps;
 }
 
 /// Takes its points out, in the order of the sensors.
-std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window) {
+std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window, double fewest) {
   const bool is_first = !closed_until_;
   closed_until_ = window + 1;
   const std::int64_t end = *closed_until_ * length_;
   ScanReading reading;
   Scan& scan = reading.scan.emplace();
   std::vector<std::int64_t> times;
+  std::vector<std::pair<SensorAccount*, std::size_t>> points;
   for (Sensor& sensor : sensors_) {
     const auto is_later = [&](const Point& point) { return point.nanoseconds >= end; };
     const auto later = std::stable_partition(sensor.points.begin(), sensor.points.end(),
@@ -174,7 +183,7 @@ std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window) {
       times.push_back(point->nanoseconds);
     }
     if (later == sensor.points.begin()) continue;
-    sensor.account.points += static_cast<std::size_t>(later - sensor.points.begin());
+    points.emplace_back(&sensor.account, later - sensor.points.begin());
     sensor.points.erase(sensor.points.begin(), later);
     scan.views.push_back({sensor.T_base_sensor, scan.points.size()});
     if (reading.frame_id.empty()) {
@@ -184,7 +193,11 @@ std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window) {
   }
   const auto [first, last] = std::minmax_element(times.begin(), times.end());
   const auto latest_begin = static_cast<std::int64_t>(kLatestBegin * static_cast<double>(length_));
-  if (is_first && *first > window * length_ + latest_begin) return std::nullopt;
+  const bool is_rest = (is_first && *first > window * length_ + latest_begin) ||
+                       static_cast<double>(times.size()) < fewest;
+  for (const auto& [account, count] : points)
+    (is_rest ? account->points_dropped["rest of a sweep"] : account->points) += count;
+  if (is_rest) return std::nullopt;
   scan.stamp = reading.header_stamp = {*last};
   for (const std::int64_t time : times)
     scan.times.push_back(static_cast<float>(1e-9 * static_cast<double>(time - *last)));

@@ -175,6 +175,32 @@ TEST(SweepMerger, ListsOfAnotherNumberOfSensorsAreRefused) {
   config.ranges.clear();
   config.time_offsets = "0 x 1";
   EXPECT_THROW(SweepMerger{config}, ParameterError);
+  config.time_offsets = "0 1e300 1";
+  EXPECT_THROW(SweepMerger{config}, ParameterError);
+}
+
+TEST(SweepMerger, SweepsOfNoLengthAreRefused) {
+  ScanInputConfig config = threeSensors();
+  config.scan_period = 1e-10;
+  EXPECT_THROW(SweepMerger{config}, ParameterError);
+}
+
+TEST(SweepMerger, EveryPointIsInASweepOrDropped) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps;
+  for (int i = 0; i < 10; ++i)  // the first window has but its end
+    for (const std::size_t sensor : {0, 1, 2})
+      append(merger.take(messageOf(sensor, 0.07 + 0.1 * i)), sweeps);
+  append(merger.flush(), sweeps);
+  std::size_t in_sweeps = 0, dropped = 0;
+  for (const auto& [topic, account] : merger.accounts()) {
+    in_sweeps += account.points;
+    for (const auto& [reason, points] : account.points_dropped) dropped += points;
+  }
+  std::size_t handed_on = 0;
+  for (const ScanReading& sweep : sweeps) handed_on += sweep.scan->points.size();
+  EXPECT_EQ(in_sweeps, handed_on);
+  EXPECT_GT(dropped, 0u);
 }
 
 TEST(SweepMerger, OneSensorIsNotMerged) {

@@ -73,7 +73,8 @@ class SweepMerger {
   std::int64_t newest() const;
   std::optional<std::int64_t> oldestWindow() const;
   void close(std::vector<ScanReading>& sweeps);
-  std::optional<ScanReading> closeWindow(std::int64_t window);
+  /// Nothing of less than `fewest` points, nor of the rest of a first one.
+  std::optional<ScanReading> closeWindow(std::int64_t window, double fewest = 0.0);
 
   std::int64_t length_;    // ns
   std::int64_t max_wait_;  // ns
