@@ -33,9 +33,11 @@ double FitJudge::leastOfGood() const {
   return std::max({kNoFit, config_.good * usual_, sudden});
 }
 
-PoseVerdict FitJudge::judge(double explained, std::size_t points) const {
+PoseVerdict FitJudge::judge(double explained, std::size_t points, double jump) const {
   const bool has_map = scans_ > 0;
-  if (!has_map || config_.good == 0.0 || explained >= leastOfGood()) return PoseVerdict::good;
+  if (!has_map || config_.good == 0.0) return PoseVerdict::good;
+  const bool has_jumped = config_.jump > 0.0 && jump > config_.jump;
+  if (explained >= leastOfGood()) return has_jumped ? PoseVerdict::poor : PoseVerdict::good;
   const double lost = isSettled() ? config_.lost * usual_ : 0.0;
   return explained < lost && points >= kTellingPoints ? PoseVerdict::lost : PoseVerdict::poor;
 }
@@ -48,7 +50,8 @@ bool FitJudge::isUsual(double explained) const {
 void FitJudge::observe(double explained, PoseVerdict verdict) {
   ++scans_;
   if (scans_ == 1) return;
-  const double weight = verdict == PoseVerdict::good ? kNewest : 0.2 * kNewest;
+  const bool is_worse = verdict != PoseVerdict::good || explained < usual_;
+  const double weight = is_worse ? 0.2 * kNewest : kNewest;
   const double share = std::max(weight, isSettled() ? 0.0 : 1.0 / (scans_ - 1));
   if (scans_ > 2) deviation_ += share * (std::abs(explained - usual_) - deviation_);
   usual_ += share * (explained - usual_);

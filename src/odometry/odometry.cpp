@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/odometry/odometry.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "revisit_slam/odometry/deskew_correction.h"
 #include "revisit_slam/odometry/recovery_guesses.h"
+#include "revisit_slam/priors/motion_reading.h"
 
 namespace revisit_slam {
 namespace {
@@ -54,6 +56,21 @@ double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base
   const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
   std::nth_element(ranges.begin(), middle, ranges.end());
   return *middle;
+}
+
+/// See RegisteredScan::jump. After a gap the motion may have become any other.
+double jumpOf(const PredictedMotion& predicted, const Tangent& deviation,
+              const Matrix6& information) {
+  if (!predicted.covariance || predicted.is_after_gap || information.isZero()) return 0.0;
+  const Matrix6 covariance =
+      *predicted.covariance + (information + Matrix6::Identity() / kUnmeasured).inverse();
+  double largest = 0.0;
+  for (const Eigen::Index first : {0, 3}) {
+    const Eigen::Vector3d d = deviation.segment<3>(first);
+    const Eigen::Matrix3d S = covariance.block<3, 3>(first, first);
+    largest = std::max(largest, d.dot(S.ldlt().solve(d)));
+  }
+  return std::sqrt(largest);
 }
 
 /// Points that several sensors saw are on no common rings.
@@ -139,11 +156,16 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
                                                 map_, prediction, registered.sigma, rings);
   recover(predicted, rings, registered);
+  registered.jump =
+      jumpOf(predicted, log(T_odom_predicted.inverse() * registered.registration.T_odom_base),
+             registered.registration.information);
   registered.verdict = verdictOn(registered);
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
   registered.T_odom_base = registered.registration.T_odom_base;
-  if (scans_ == 0 && registered.deskewed && config_.redo_first_scans) first_scan_ = scan;
-  if (scans_ == 1 && !predicted.is_after_gap) startAgain(scan, predicted.seconds, registered);
+  const bool begins_map = scans_ == 0 || registered.verdict == PoseVerdict::lost;
+  if (scans_of_map_ == 1 && !begins_map && !predicted.is_after_gap)
+    startAgain(scan, predicted.seconds, registered);
+  if (begins_map && registered.deskewed && config_.redo_first_scans) first_scan_ = scan;
   const Pose deviation = T_odom_predicted.inverse() * registered.T_odom_base;
   registered.deskew_error = log(deviation) - registered.registration.deskew_correction;
   if (!sweep_fractions_.empty()) deskewAgain(registered);
@@ -173,6 +195,7 @@ void Odometry::commit() {
     threshold_ = AdaptiveThreshold(config_.threshold, config_.max_range);
     fit_ = FitJudge(config_.fit);
     predictor_->forget();
+    scans_of_map_ = 0;
   } else if (aligned.enters_threshold) {
     threshold_.update(aligned.deviation);
   }
@@ -186,6 +209,7 @@ void Odometry::commit() {
   previous_stamp_ = aligned.stamp;
   fit_.observe(aligned.explained, aligned.verdict);
   ++scans_;
+  ++scans_of_map_;
 }
 
 OdometryResult Odometry::registerScan(const Scan& scan) {
@@ -255,13 +279,16 @@ void Odometry::downsample(RegisteredScan& registered) {
 
 /// Keeps the guess from which the map explains most. After a gap a good fit may be that of the
 /// ground alone. Of the first scans of a map most is explained where they do not move: by the rings
-/// that the sensor draws on the ground.
+/// that the sensor draws on the ground. Where the map is given up otherwise, the others are tried
+/// in any case.
 void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& rings,
                        RegisteredScan& registered) {
   if (config_.fit.good == 0.0 || !fit_.isSettled()) return;
   const auto fits = [&] { return fit_.isUsual(registered.registration.explained); };
   if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
-  if ((fits() && !predicted.is_after_gap) || vain_recoveries_ >= kMostVainRecoveries) return;
+  if (fits() && !predicted.is_after_gap) return;
+  const bool is_vain = vain_recoveries_ >= kMostVainRecoveries;
+  if (is_vain && verdictOn(registered) != PoseVerdict::lost) return;
   RegistrationResult best = registered.registration;
   for (const Pose& T_previous_base : recoveryGuesses(predicted)) {
     const RegistrationResult other =
@@ -288,20 +315,22 @@ void Odometry::loseTrack(const PredictedMotion& predicted, RegisteredScan& regis
   registered.registration.outcome = RegistrationOutcome::no_fit;
 }
 
-/// Nothing was known of the motion when the first two scans were deskewed. From both as they are it
-/// comes out well enough to deskew them, and to register the second to the first, once more.
+/// Nothing was known of the motion when the first two scans of the map were deskewed. From both as
+/// they are it comes out well enough to deskew them, and to register the second to the first, once
+/// more.
 void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& registered) {
   const std::optional<Scan> first = std::exchange(first_scan_, std::nullopt);
   const bool matched =
       registered.registration.outcome != RegistrationOutcome::too_few_correspondences;
   if (!first || !registered.deskewed || !matched) return;
-  const ConstantMotion motion(log(registered.T_odom_base) / seconds);
+  const ConstantMotion motion(log(T_odom_previous_.inverse() * registered.T_odom_base) / seconds);
   RegisteredScan first_again;
   first_again.points_base = preprocess(*first, motion, config_).points_base;
   downsample(first_again);
   map_ = emptyMap(map_.voxelSize());
-  map_.insert(map_points_base_, Pose::identity());
-  registered.points_base = preprocess(scan, motion, config_).points_base;
+  map_.insert(map_points_base_, T_odom_previous_);
+  PreprocessedScan preprocessed = preprocess(scan, motion, config_);
+  registered.points_base = std::move(preprocessed.points_base);
   downsample(registered);
   registered.registration =
       registration_.align(registered.source_base, {}, map_, predictionOf(registered.T_odom_base),

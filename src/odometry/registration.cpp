@@ -15,6 +15,8 @@ constexpr std::size_t kChunkLength = 256;
 /// m^2 over the weight of the matches is the variance of what they add up to. Far above the noise
 /// of a range, as matches nearby share their errors.
 constexpr double kMatchVariance = 0.003;
+/// Of a point on what is alike at many places, beside others: how much it tells of the fit.
+constexpr double kWeightOfAlike = 0.1;
 
 /// What is registered; sweep fractions may be missing.
 struct Source {
@@ -82,6 +84,12 @@ WeighedPrediction weighed(const PosePrediction& predicted, bool deskewed, const 
   return {predicted.T_odom_base, weight};
 }
 
+double shareExplained(const NormalEquations& equations, std::size_t points) {
+  const double alike = (1.0 - kWeightOfAlike) * static_cast<double>(equations.explainedAnywhere());
+  return (static_cast<double>(equations.explained()) - alike) /
+         (static_cast<double>(points) - alike);
+}
+
 /// Moves the pose, and with sweep fractions the deskew correction. @return the step.
 Tangent takeStep(const NormalEquations& equations, const Source& source,
                  const WeighedPrediction& prediction, const RegistrationConfig& config,
@@ -137,8 +145,7 @@ RegistrationResult Registration::align(const Points& points_base,
       break;
     }
     result.rms_residual = equations.rms();
-    result.explained =
-        static_cast<double>(equations.explained()) / static_cast<double>(points_base.size());
+    result.explained = shareExplained(equations, points_base.size());
     result.information = equations.H() / kMatchVariance;
     limit.update(equations);
     result.sees_motion = !limit.isNeeded();

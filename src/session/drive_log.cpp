@@ -15,7 +15,7 @@ std::string informationHeader() {
     for (int row = 1; row <= 6; ++row)
       for (int column = row; column <= 6; ++column)
         header += std::string(",") + matrix + std::to_string(row) + std::to_string(column);
-  return header + ",verdict,explained\n";
+  return header + ",verdict,explained,jump\n";
 }
 
 std::string timesHeader(const std::vector<std::string>& stages) {
@@ -53,6 +53,7 @@ DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times) {
           informed.covariance_motion,
           informed.verdict,
           scan.registration.explained,
+          scan.jump,
           times};
 }
 
@@ -80,7 +81,7 @@ void DriveLog::writeInformation(const DriveLogEntry& entry) {
   for (const Matrix6* matrix : {&entry.information, &entry.covariance_motion})
     for (int row = 0; row < 6; ++row)
       for (int column = row; column < 6; ++column) line << "," << (*matrix)(row, column);
-  line << "," << toString(entry.verdict) << "," << entry.explained << "\n";
+  line << "," << toString(entry.verdict) << "," << entry.explained << "," << entry.jump << "\n";
   information_.add(line.str());
 }
 

@@ -88,5 +88,14 @@ TEST(NormalEquations, CountMatchesAndTheirResidualsOnce) {
   EXPECT_NEAR(first.rms(), std::sqrt(0.17), 1e-12);
 }
 
+TEST(NormalEquations, CountWhatIsExplained) {
+  NormalEquations first, second;
+  first.countExplained(false);
+  second.countExplained(true);
+  first += second;
+  EXPECT_EQ(first.explained(), 2u);
+  EXPECT_EQ(first.explainedAnywhere(), 1u);
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -20,11 +20,34 @@ FitJudge settledJudge(double more_or_less = 0.06, const FitConfig& config = {}) 
 
 TEST(FitJudge, comparesAScanWithThoseBefore) {
   const FitJudge judge = settledJudge();
-  EXPECT_NEAR(judge.usual(), 0.8, 0.002);
-  EXPECT_EQ(judge.judge(0.49, kPoints), PoseVerdict::good);  // 0.6 of what is usual is 0.48
-  EXPECT_EQ(judge.judge(0.47, kPoints), PoseVerdict::poor);
+  EXPECT_NEAR(judge.usual(), 0.83, 0.01);                    // nearer to the better ones
+  EXPECT_EQ(judge.judge(0.51, kPoints), PoseVerdict::good);  // 0.6 of what is usual is 0.50
+  EXPECT_EQ(judge.judge(0.48, kPoints), PoseVerdict::poor);
   EXPECT_EQ(judge.judge(0.25, kPoints), PoseVerdict::poor);
   EXPECT_EQ(judge.judge(0.23, kPoints), PoseVerdict::lost);
+}
+
+TEST(FitJudge, aPoseFarFromThePredictionIsPoorHoweverItFits) {
+  const FitJudge judge = settledJudge();
+  const double jump = FitConfig().jump;
+  EXPECT_EQ(judge.judge(0.9, kPoints, 0.9 * jump), PoseVerdict::good);
+  EXPECT_EQ(judge.judge(0.9, kPoints, 1.1 * jump), PoseVerdict::poor);
+  EXPECT_EQ(judge.judge(0.1, kPoints, 1.1 * jump), PoseVerdict::lost);
+  FitConfig any;
+  any.jump = 0.0;
+  EXPECT_EQ(settledJudge(0.06, any).judge(0.9, kPoints, 1e6), PoseVerdict::good);
+}
+
+TEST(FitJudge, aFitThatWorsensLittleByLittleIsNotUsualSoon) {
+  FitJudge judge = settledJudge(0.02);
+  double explained = 0.8;
+  int scans = 0;
+  for (; judge.judge(explained, kPoints) == PoseVerdict::good && scans < 1000; ++scans) {
+    judge.observe(explained, PoseVerdict::good);
+    explained -= 0.005;
+  }
+  EXPECT_LT(scans, 80);
+  EXPECT_GT(explained, 0.4);
 }
 
 TEST(FitJudge, noticesWhenASteadyFitBecomesWorseAtOnce) {

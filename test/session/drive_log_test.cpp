@@ -65,7 +65,7 @@ TEST(DriveLog, InformationHasTheUpperTrianglesOfBothMatrices) {
   for (const int first : {0, 100})
     for (int i = 0; i < 36; ++i)
       if (i % 6 >= i / 6) expected += "," + std::to_string(first + i);
-  expected += ",good,0";
+  expected += ",good,0,0";
   DriveLog(folder.file("")).add(entryOf(informed, timesOf(0)));
   std::istringstream lines(textOf(folder.file("odometry_information.csv")));
   std::string header, line;
@@ -74,7 +74,7 @@ TEST(DriveLog, InformationHasTheUpperTrianglesOfBothMatrices) {
                         "information12"),
             0u);
   EXPECT_NE(header.find(",information66,covariance11,"), std::string::npos);
-  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 4 + 2 * 21 + 2);
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 4 + 2 * 21 + 3);
   EXPECT_EQ(line, expected);
 }
 

@@ -33,11 +33,16 @@ class NormalEquations {
   }
 
   /// Once for every match, however many residuals it adds. `squared`: its unweighted residual, m^2.
-  /// `explained`: the residual is one of noise and sampling, not of another surface.
-  void countMatch(double squared, bool explained = false) {
+  void countMatch(double squared) {
     ++matches_;
     squares_ += squared;
-    if (explained) ++explained_;
+  }
+
+  /// A match whose residual is one of noise and sampling, not of another surface. `anywhere`: that
+  /// of a point on what is alike at many places.
+  void countExplained(bool anywhere) {
+    ++explained_;
+    if (anywhere) ++explained_anywhere_;
   }
 
   /// Of a point-to-point residual whose weight was added: what it compares moves along with the
@@ -54,6 +59,8 @@ class NormalEquations {
   double ringWeight() const { return ring_weight_; }
   std::size_t matches() const { return matches_; }
   std::size_t explained() const { return explained_; }
+  /// Of these, on what is alike at many places.
+  std::size_t explainedAnywhere() const { return explained_anywhere_; }
   /// m, of the unweighted residuals of the matches.
   double rms() const { return std::sqrt(squares_ / static_cast<double>(matches_)); }
 
@@ -64,7 +71,7 @@ class NormalEquations {
   Eigen::Matrix3d wpp_ = Eigen::Matrix3d::Zero();
   Matrix6 plane_H_ = Matrix6::Zero();
   Tangent plane_g_ = Tangent::Zero();
-  std::size_t matches_ = 0, explained_ = 0;
+  std::size_t matches_ = 0, explained_ = 0, explained_anywhere_ = 0;
 };
 
 }  // namespace revisit_slam

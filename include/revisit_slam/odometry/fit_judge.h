@@ -17,8 +17,9 @@ class FitJudge {
  public:
   explicit FitJudge(const FitConfig& config) : config_(config) {}
 
-  /// Good, poor or lost. `explained`: RegistrationResult::explained of `points` points.
-  PoseVerdict judge(double explained, std::size_t points) const;
+  /// Good, poor or lost. `explained`: RegistrationResult::explained of `points` points. `jump`:
+  /// RegisteredScan::jump.
+  PoseVerdict judge(double explained, std::size_t points, double jump = 0.0) const;
 
   /// Whether the map explains the share of it that it explains of others.
   bool isUsual(double explained) const;

@@ -88,7 +88,8 @@ class Odometry {
   void recover(const PredictedMotion& predicted, const RingSpacing& rings,
                RegisteredScan& registered);
   PoseVerdict verdictOn(const RegisteredScan& registered) const {
-    return fit_.judge(registered.registration.explained, registered.source_base.size());
+    return fit_.judge(registered.registration.explained, registered.source_base.size(),
+                      registered.jump);
   }
   void loseTrack(const PredictedMotion& predicted, RegisteredScan& registered) const;
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
@@ -107,7 +108,7 @@ class Odometry {
   std::vector<float> map_sweep_fractions_;  // of these
   std::vector<float> source_sweep_fractions_;
 
-  std::uint32_t scans_ = 0;
+  std::uint32_t scans_ = 0, scans_of_map_ = 0;
   FitJudge fit_;
   bool motion_is_seen_ = false;     // by a scan of the map
   int vain_recoveries_ = 0;         // in a row

@@ -90,6 +90,7 @@ struct AdaptiveThresholdConfig {
 struct FitConfig {
   double good = 0.6;
   double lost = 0.3;
+  double jump = 6.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -102,6 +103,11 @@ struct FitConfig {
       "share of the usual fit below which a pose is lost and a new voxel map begins; 0: never. "
       "Raise it if the map is distorted after the sensor was carried; lower it if new voxel maps "
       "begin without need");
+    v("jump", jump, Range{0.0, 1000.0}, "standard deviations",
+      "largest deviation of a pose from the prediction, as the motion so far and the registration "
+      "let expect it, with which the pose is good; beyond, it is poor; 0: any. Raise it if right "
+      "poses are called poor where the motion changes suddenly; lower it if wrong ones are called "
+      "good");
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "revisit_slam/icp/local_voxel_map.h"
 #include "revisit_slam/icp/normal_equations.h"
@@ -53,7 +54,7 @@ class ScanObjective {
       const Eigen::Vector3d n = R.transpose() * shape.normal.cast<double>();
       const PointToPlane plane{match.p, n, n.dot(match.r)};
       const double weight = kernel_.weight(plane.squared());
-      countMatch(plane.squared(), equations);
+      countMatch(plane.squared(), shape, equations);
       equations.add(plane, weight);
       const double within = ring_factor_ * config_.within_plane_weight * weight;
       equations.add(match, within);
@@ -64,7 +65,7 @@ class ScanObjective {
       const double unknown = config_.planes ? across.unknown : 0.0;
       const double squared = match.squared() - unknown * between.squared();
       const double weight = shapeWeight(shape) * kernel_.weight(squared);
-      countMatch(match.squared(), equations);
+      countMatch(match.squared(), shape, equations);
       equations.add(match, weight);
       if (config_.planes && shape.kind == ShapeKind::sparse) equations.countRing(weight);
       if (unknown > 0.0) equations.add(between, -unknown * weight);
@@ -72,8 +73,19 @@ class ScanObjective {
   }
 
  private:
-  void countMatch(double squared, NormalEquations& equations) const {
-    equations.countMatch(squared, squared <= config_.final_sigma * config_.final_sigma);
+  static constexpr float kLevel = 0.8f;  // z of a normal: slopes of up to 37 degrees
+
+  void countMatch(double squared, const LocalShape& shape, NormalEquations& equations) const {
+    equations.countMatch(squared);
+    if (squared <= config_.final_sigma * config_.final_sigma)
+      equations.countExplained(isAlikeAnywhere(shape));
+  }
+
+  /// Level ground, and the rings that the sensor draws on it.
+  bool isAlikeAnywhere(const LocalShape& shape) const {
+    if (!config_.planes) return false;
+    if (shape.kind == ShapeKind::planar) return std::abs(shape.normal.z()) > kLevel;
+    return shape.kind == ShapeKind::sparse;
   }
 
   /// a_i. The denser the map, the less the nearest point depends on where rays fell.

@@ -44,6 +44,7 @@ struct DriveLogEntry {
   Matrix6 information, covariance_motion;
   PoseVerdict verdict;
   double explained;
+  double jump;
   StageTimes times;
 };
 

@@ -45,7 +45,10 @@ struct RegisteredScan {
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
   /// Of several sensors: from where the points that follow one another were. Empty: from above.
   std::vector<PointsView> views;
-  Points source_base;       ///< the down-sampled points that were registered
+  Points source_base;  ///< the down-sampled points that were registered
+  /// Deviation of the pose from the prediction, in standard deviations of both, the larger of
+  /// translation and rotation; 0 where nothing is known of the motion.
+  double jump = 0.0;
   double voxel_size = 0.0;  ///< m, edge of the local map's voxels that it was registered with
   double sigma = 0.0;       ///< m, the adaptive threshold that the registration used
   PoseVerdict verdict = PoseVerdict::good;  ///< as far as the registration tells

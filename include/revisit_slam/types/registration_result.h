@@ -33,6 +33,7 @@ struct RegistrationResult {
   int iterations = 0;
   std::size_t correspondences = 0;
   /// Share of the points that the map explains: with a residual of at most final_sigma, 0 … 1.
+  /// Points that it explains on level ground, or on rings, fit at many places: they count a tenth.
   double explained = 0.0;
   double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
 };
