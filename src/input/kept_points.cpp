@@ -72,11 +72,24 @@ KeptPoints readFloatPoints(const PointView& view, std::size_t x, std::size_t y, 
   });
 }
 
-template <typename T, bool swapped>
-void loadAll(const std::uint8_t* data, const std::vector<std::uint32_t>& offsets, double* out) {
+template <typename T, bool swapped, typename Value>
+void loadAll(const std::uint8_t* data, const std::vector<std::uint32_t>& offsets, Value* out) {
   for (const std::uint32_t offset : offsets) {
-    *out++ = static_cast<double>(loadNumber<T, swapped>(data + offset));
+    *out++ = static_cast<Value>(loadNumber<T, swapped>(data + offset));
   }
+}
+
+template <typename Value>
+std::vector<Value> readValues(const PointView& view, const PointField& field,
+                              const std::vector<std::uint32_t>& byte_offsets) {
+  std::vector<Value> values(byte_offsets.size());
+  const std::uint8_t* first = view.data + field.offset;
+  withNumberType(field.type, [&](auto zero) {
+    using T = decltype(zero);
+    view.swapped ? loadAll<T, true>(first, byte_offsets, values.data())
+                 : loadAll<T, false>(first, byte_offsets, values.data());
+  });
+  return values;
 }
 
 }  // namespace
@@ -91,14 +104,20 @@ KeptPoints readPoints(const PointView& view) {
 
 std::vector<double> readField(const PointView& view, const PointField& field,
                               const std::vector<std::uint32_t>& byte_offsets) {
-  std::vector<double> values(byte_offsets.size());
-  const std::uint8_t* first = view.data + field.offset;
-  withNumberType(field.type, [&](auto zero) {
-    using T = decltype(zero);
-    view.swapped ? loadAll<T, true>(first, byte_offsets, values.data())
-                 : loadAll<T, false>(first, byte_offsets, values.data());
-  });
-  return values;
+  return readValues<double>(view, field, byte_offsets);
+}
+
+std::vector<float> readIntensities(const PointView& view,
+                                   const std::vector<std::uint32_t>& byte_offsets) {
+  for (const char* name : {"intensity", "reflectivity"}) {
+    const PointField* field = view.find(name);
+    if (field == nullptr || field->type == NumberType::unknown) continue;
+    std::vector<float> intensities = readValues<float>(view, *field, byte_offsets);
+    for (float& intensity : intensities)
+      if (!std::isfinite(intensity)) intensity = 0.0f;
+    return intensities;
+  }
+  return {};
 }
 
 }  // namespace revisit_slam

@@ -78,6 +78,7 @@ ScanReading PointReader::read(const PointView& view, const ReferenceStamp& refer
   reading.scan->stamp = sweep.stamp;
   reading.scan->points = std::move(kept.points);
   reading.scan->times = std::move(sweep.times);
+  reading.scan->intensities = readIntensities(view, kept.byte_offsets);
   return reading;
 }
 

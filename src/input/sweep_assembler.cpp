@@ -26,6 +26,11 @@ void append(const Scan& part, Stamp stamp, Scan& sweep) {
   } else {
     for (const float time : part.times) sweep.times.push_back(std::min(0.f, time + shift));
   }
+  if (part.intensities.empty() && sweep.intensities.empty()) return;
+  sweep.intensities.resize(sweep.points.size() - part.points.size());
+  sweep.intensities.insert(sweep.intensities.end(), part.intensities.begin(),
+                           part.intensities.end());
+  sweep.intensities.resize(sweep.points.size());
 }
 
 ScanReading join(std::vector<ScanReading> parts) {

@@ -87,6 +87,7 @@ void SweepMerger::accept(ScanReading reading, std::vector<ScanReading>& sweeps) 
     for (Sensor& any : sensors_) any.reached.reset();
     closed_until_.reset();
   }
+  has_intensities_ = has_intensities_ || !scan.intensities.empty();
   sensor.T_base_sensor = scan.T_base_sensor;
   sensor.frame_id = reading.frame_id;
   if (!sensor.reached || *sensor.reached < scan.stamp) sensor.reached = scan.stamp;
@@ -102,7 +103,8 @@ void SweepMerger::store(const Scan& scan, Sensor& sensor) const {
       closed_until_ ? *closed_until_ * length_ : std::numeric_limits<std::int64_t>::min();
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const double before = scan.times.empty() ? 0.0 : static_cast<double>(scan.times[i]);
-    const Point point{scan.stamp.nanoseconds + nanosecondsOf(before), scan.points[i]};
+    const float intensity = scan.intensities.empty() ? 0.0f : scan.intensities[i];
+    const Point point{scan.stamp.nanoseconds + nanosecondsOf(before), scan.points[i], intensity};
     const float range = point.p_sensor.squaredNorm();
     if (range < sensor.nearest)
       ++sensor.account.points_dropped["too near"];
@@ -180,6 +182,7 @@ std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window, double 
                                              [&](const Point& point) { return !is_later(point); });
     for (auto point = sensor.points.begin(); point != later; ++point) {
       scan.points.push_back(point->p_sensor);
+      if (has_intensities_) scan.intensities.push_back(point->intensity);
       times.push_back(point->nanoseconds);
     }
     if (later == sensor.points.begin()) continue;
@@ -213,6 +216,7 @@ void SweepMerger::restart() {
     sensor.account = {};
   }
   closed_until_.reset();
+  has_intensities_ = false;
   last_size_ = 0;
 }
 

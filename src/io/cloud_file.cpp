@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/io/cloud_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -37,11 +38,13 @@ class FileWithHeader : public CloudStream {
 
 class PlyStream final : public FileWithHeader {
  public:
-  explicit PlyStream(const std::string& path) : FileWithHeader(path) { writeHeader(); }
+  PlyStream(const std::string& path, bool with_intensities)
+      : FileWithHeader(path), with_intensities_(with_intensities) {
+    writeHeader();
+  }
 
-  void write(const Points& points) override {
-    file_.write(reinterpret_cast<const char*>(points.data()),
-                static_cast<std::streamsize>(points.size() * sizeof(points[0])));
+  void write(const Points& points, const std::vector<float>& intensities) override {
+    file_ << pointBytes(points, intensities, with_intensities_);
     count_ += points.size();
   }
 
@@ -50,10 +53,12 @@ class PlyStream final : public FileWithHeader {
     char header[256];
     std::snprintf(header, sizeof(header),
                   "ply\nformat binary_little_endian 1.0\nelement vertex %012zu\n"
-                  "property float x\nproperty float y\nproperty float z\nend_header\n",
-                  count_);
+                  "property float x\nproperty float y\nproperty float z\n%send_header\n",
+                  count_, with_intensities_ ? "property float intensity\n" : "");
     file_ << header;
   }
+
+  const bool with_intensities_;
 };
 
 /// LAS 1.2, point format 0 (ASPRS, LAS Specification Version 1.2, 2008).
@@ -61,18 +66,18 @@ class LasStream final : public FileWithHeader {
  public:
   explicit LasStream(const std::string& path) : FileWithHeader(path) { writeHeader(); }
 
-  void write(const Points& points) override {
+  void write(const Points& points, const std::vector<float>& intensities) override {
     ByteWriter bytes;
-    for (const Eigen::Vector3f& point : points) {
-      const Eigen::Vector3d p = point.cast<double>();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d p = points[i].cast<double>();
       least_ = least_.cwiseMin(p);
       greatest_ = greatest_.cwiseMax(p);
       for (int axis = 0; axis < 3; ++axis)
         bytes.put(static_cast<std::int32_t>(std::lround(p[axis] / kScale)));
-      bytes.put(std::uint16_t{0});                             // intensity
-      bytes.put(std::uint8_t{1 | 1 << 3});                     // first return of one
-      for (int i = 0; i < 3; ++i) bytes.put(std::uint8_t{0});  // class, angle, user data
-      bytes.put(std::uint16_t{0});                             // point source
+      bytes.put(intensities.empty() ? std::uint16_t{0} : wholeNumber(intensities[i]));
+      bytes.put(std::uint8_t{1 | 1 << 3});                              // first return of one
+      for (int rest = 0; rest < 3; ++rest) bytes.put(std::uint8_t{0});  // class, angle, user data
+      bytes.put(std::uint16_t{0});                                      // point source
     }
     file_ << bytes.bytes();
     count_ += points.size();
@@ -112,6 +117,11 @@ class LasStream final : public FileWithHeader {
     file_ << h.bytes();
   }
 
+  static std::uint16_t wholeNumber(float intensity) {
+    constexpr float most = std::numeric_limits<std::uint16_t>::max();
+    return static_cast<std::uint16_t>(std::lround(std::clamp(intensity, 0.0f, most)));
+  }
+
   static void putText(std::string text, std::size_t length, ByteWriter& bytes) {
     text.resize(length);
     bytes.putAll(std::vector<char>(text.begin(), text.end()));
@@ -123,11 +133,27 @@ class LasStream final : public FileWithHeader {
 
 }  // namespace
 
-std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path) {
+std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
+                                             bool with_intensities) {
   requireCloudFormat(format);
-  if (format == "pcd") return std::make_unique<PcdStream>(path);
-  if (format == "ply") return std::make_unique<PlyStream>(path);
+  if (format == "pcd") return std::make_unique<PcdStream>(path, with_intensities);
+  if (format == "ply") return std::make_unique<PlyStream>(path, with_intensities);
   return std::make_unique<LasStream>(path);
+}
+
+std::string pointBytes(const Points& points, const std::vector<float>& intensities,
+                       bool with_intensities) {
+  std::string bytes;
+  bytes.reserve(points.size() * (with_intensities ? 4 : 3) * sizeof(float));
+  const auto append = [&bytes](const float* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(float));
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    append(points[i].data(), 3);
+    const float intensity = intensities.empty() ? 0.0f : intensities[i];
+    if (with_intensities) append(&intensity, 1);
+  }
+  return bytes;
 }
 
 void requireCloudFormat(const std::string& format) {

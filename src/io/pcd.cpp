@@ -11,13 +11,12 @@
 
 namespace revisit_slam {
 
-static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "points are written as they lie");
-
-void writePcd(const std::string& path, const Points& points) {
+void writePcd(const std::string& path, const Points& points,
+              const std::vector<float>& intensities) {
   if (points.empty()) throw std::runtime_error("no points to write to '" + path + "'");
   writeWholeFile(path, [&](const std::string& temporary) {
-    PcdStream stream(temporary);
-    stream.write(points);
+    PcdStream stream(temporary, !intensities.empty());
+    stream.write(points, intensities);
     stream.finish();
   });
 }
@@ -25,43 +24,49 @@ void writePcd(const std::string& path, const Points& points) {
 Points readPcdPoints(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  bool of_ours = false;
+  std::size_t floats = 0;  // of a point; 0: not of ours
   std::size_t count = 0;
   while (std::getline(file, line) && line != "DATA binary") {
-    if (line == "FIELDS x y z") of_ours = true;
+    if (line == "FIELDS x y z") floats = 3;
+    if (line == "FIELDS x y z intensity") floats = 4;
     if (line.rfind("POINTS ", 0) == 0) count = std::strtoull(line.c_str() + 7, nullptr, 10);
   }
   const std::streamoff begin = file ? static_cast<std::streamoff>(file.tellg()) : 0;
   file.seekg(0, std::ios::end);
-  const auto bytes = static_cast<std::streamoff>(count * sizeof(Eigen::Vector3f));
-  if (!file || !of_ours || static_cast<std::streamoff>(file.tellg()) - begin != bytes)
+  const auto bytes = static_cast<std::streamoff>(count * floats * sizeof(float));
+  if (!file || floats == 0 || static_cast<std::streamoff>(file.tellg()) - begin != bytes)
     throw std::runtime_error("'" + path + "' is not a whole binary PCD file with fields x y z");
-  Points points(count);
+  std::vector<float> values(count * floats);
   file.seekg(begin);
-  if (!file.read(reinterpret_cast<char*>(points.data()), bytes))
+  if (!file.read(reinterpret_cast<char*>(values.data()), bytes))
     throw std::runtime_error("cannot read '" + path + "'");
+  Points points(count);
+  for (std::size_t i = 0; i < count; ++i)
+    points[i] = Eigen::Map<const Eigen::Vector3f>(&values[i * floats]);
   return points;
 }
 
-PcdStream::PcdStream(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+PcdStream::PcdStream(const std::string& path, bool with_intensities)
+    : path_(path), with_intensities_(with_intensities), file_(path, std::ios::binary) {
   writeHeader();
 }
 
 /// Always of one length: the count is known only at the end.
 void PcdStream::writeHeader() {
   char header[256];
+  const bool with = with_intensities_;
   std::snprintf(
       header, sizeof(header),
-      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
-      "TYPE F F F\nCOUNT 1 1 1\nWIDTH %012zu\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z%s\nSIZE 4 4 4%s\n"
+      "TYPE F F F%s\nCOUNT 1 1 1%s\nWIDTH %012zu\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
       "POINTS %012zu\nDATA binary\n",
-      count_, count_);
+      with ? " intensity" : "", with ? " 4" : "", with ? " F" : "", with ? " 1" : "", count_,
+      count_);
   file_ << header;
 }
 
-void PcdStream::write(const Points& points) {
-  file_.write(reinterpret_cast<const char*>(points.data()),
-              static_cast<std::streamsize>(points.size() * sizeof(points[0])));
+void PcdStream::write(const Points& points, const std::vector<float>& intensities) {
+  file_ << pointBytes(points, intensities, with_intensities_);
   count_ += points.size();
 }
 

@@ -21,7 +21,7 @@ MapUpdate MapBuilder::insert(const RegisteredScan& scan, const SubmapStart& star
   if (!open_) T_odom_submap_ = scan.T_odom_base;
   open_ = true;
   const Pose T_submap_base = T_odom_submap_.inverse() * scan.T_odom_base;
-  detail_.insert(scan.points_base, T_submap_base, scan.sensor_base, scan.views);
+  detail_.insert(scan.points_base, T_submap_base, scan.sensor_base, scan.views, scan.intensities);
   if (with_occupancy_) {
     occupancy_.insert(scan.points_base, T_submap_base, scan.sensor_base, scan.views);
     const Pose from = T_odom_last_.value_or(scan.T_odom_base);
@@ -43,6 +43,7 @@ MapUpdate MapBuilder::take(ClosedMaps closed) {
   if (!update.submap) return update;
   const DetailMap detail = std::exchange(detail_, DetailMap(detail_voxel_size_));
   update.detail_submap = detail.points();
+  update.intensities = detail.intensities();
   update.sightings = detail.sightings();
   if (with_occupancy_) update.occupancy = occupancy_.close();
   open_ = false;

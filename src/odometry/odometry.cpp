@@ -136,6 +136,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.sensor_base = scan.T_base_sensor.translation;
   registered.views = std::move(preprocessed.views);
   registered.points_base = std::move(preprocessed.points_base);
+  registered.intensities = std::move(preprocessed.intensities);
   sweep_fractions_ = std::move(preprocessed.sweep_fractions);
   clock.stage("preprocess");
 
@@ -331,6 +332,7 @@ void Odometry::startAgain(const Scan& scan, double seconds, RegisteredScan& regi
   map_.insert(map_points_base_, T_odom_previous_);
   PreprocessedScan preprocessed = preprocess(scan, motion, config_);
   registered.points_base = std::move(preprocessed.points_base);
+  registered.intensities = std::move(preprocessed.intensities);
   downsample(registered);
   registered.registration =
       registration_.align(registered.source_base, {}, map_, predictionOf(registered.T_odom_base),

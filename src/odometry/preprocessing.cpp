@@ -63,6 +63,8 @@ ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, Carry ca
   Eigen::Vector3f* const points_base = result.points_base.data() + chunk.begin;
   float* const fractions =
       result.sweep_fractions.empty() ? nullptr : result.sweep_fractions.data() + chunk.begin;
+  float* const intensities =
+      result.intensities.empty() ? nullptr : result.intensities.data() + chunk.begin;
   ChunkCount count;
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Eigen::Vector3f& point = scan.points[i];
@@ -77,6 +79,7 @@ ChunkCount preprocessChunk(const Scan& scan, const Pose& T_base_sensor, Carry ca
     }
     points_base[count.kept] = carry(i, in_base);
     if (fractions) fractions[count.kept] = std::min(1.0f, -fraction_per_second * scan.times[i]);
+    if (intensities) intensities[count.kept] = scan.intensities[i];
     ++count.kept;
   }
   return count;
@@ -99,6 +102,7 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   const bool has_fractions = result.deskewed && seconds_since_previous > 0.0;
   result.points_base.resize(scan.points.size());
   if (has_fractions) result.sweep_fractions.resize(scan.points.size());
+  result.intensities.resize(scan.intensities.size());
   const auto fraction_per_second =
       static_cast<float>(has_fractions ? 1.0 / seconds_since_previous : 0.0);
   const std::vector<ScanView> views = viewsOf(scan);
@@ -130,6 +134,7 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
     const std::size_t begin = chunks[index].begin, count = counts[index].kept;
     moveToFront(result.points_base, begin, count, kept);
     if (has_fractions) moveToFront(result.sweep_fractions, begin, count, kept);
+    if (!result.intensities.empty()) moveToFront(result.intensities, begin, count, kept);
     kept += counts[index].kept;
     result.too_near += counts[index].too_near;
     result.too_far += counts[index].too_far;
@@ -140,6 +145,7 @@ PreprocessedScan preprocess(const Scan& scan, const ConstantMotion& motion_base,
   }
   result.points_base.resize(kept);
   if (has_fractions) result.sweep_fractions.resize(kept);
+  if (!result.intensities.empty()) result.intensities.resize(kept);
   return result;
 }
 

@@ -92,12 +92,15 @@ class KnownMapReader {
 MapUpdate readAll(const Session& session, const SubmapClosed& closed, const SessionNumbers& numbers,
                   const SubmapPtr& known) {
   try {
-    return numbers(
-        readSubmap(submapFile(session.folder, closed.id, session.info.id),
-                   {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals,
-                    SubmapRecord::detail, SubmapRecord::occupancy, SubmapRecord::sightings}));
+    return numbers(readSubmap(submapFile(session.folder, closed.id, session.info.id),
+                              {SubmapRecord::trajectory, SubmapRecord::points,
+                               SubmapRecord::normals, SubmapRecord::detail, SubmapRecord::occupancy,
+                               SubmapRecord::sightings, SubmapRecord::intensities}));
   } catch (const std::runtime_error&) {
-    return {known, known->points, {}, nullptr, nullptr};
+    MapUpdate update;
+    update.submap = known;
+    update.detail_submap = known->points;
+    return update;
   }
 }
 

@@ -35,6 +35,8 @@ constexpr double kBesideTile = 1.0;  // m
 /// Larger than submaps are long, so that every passage through a cell has a keypose in it.
 constexpr double kConsistencyCell = 40.0;  // m
 
+const std::set<SubmapRecord> kCloudRecords{SubmapRecord::detail, SubmapRecord::intensities};
+
 using Tile = std::pair<int, int>;
 
 int tileOf(double metres, double edge) {
@@ -56,12 +58,24 @@ std::vector<Tile> tilesOf(const Eigen::AlignedBox3f& box, const Pose& T, double 
   return tiles;
 }
 
-Points within(const Tile& tile, double edge, const Points& points, const Pose& T) {
-  Points inside;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3d placed = T * Eigen::Vector3d(point.cast<double>());
+/// Points with their intensities, or without any.
+struct Cloud {
+  Points points;
+  std::vector<float> intensities;
+
+  void add(const Eigen::Vector3f& point, const std::vector<float>& all, std::size_t i) {
+    points.push_back(point);
+    if (!all.empty()) intensities.push_back(all[i]);
+  }
+};
+
+/// The detail of a submap placed at T, as far as it is in the tile.
+Cloud within(const Tile& tile, double edge, const MapUpdate& submap, const Pose& T) {
+  Cloud inside;
+  for (std::size_t i = 0; i < submap.detail_submap.size(); ++i) {
+    const Eigen::Vector3d placed = T * Eigen::Vector3d(submap.detail_submap[i].cast<double>());
     if (Tile{tileOf(placed.x(), edge), tileOf(placed.y(), edge)} == tile)
-      inside.push_back(placed.cast<float>());
+      inside.add(placed.cast<float>(), submap.intensities, i);
   }
   return inside;
 }
@@ -183,10 +197,11 @@ class MapExport {
     std::size_t done = 0;
     for (const SubmapClosed& submap : session_.submaps) {
       tell(0.1 + 0.2 * static_cast<double>(done++) / static_cast<double>(session_.submaps.size()));
-      const Points points = read(submap, {SubmapRecord::detail}).detail_submap;
+      const MapUpdate stored = read(submap, kCloudRecords);
       const std::string name =
           std::filesystem::path(submapFile("", submap.id, session_.info.id)).stem().string();
-      if (!points.empty()) writePcd(file("submaps/" + name + ".pcd"), points);
+      if (!stored.detail_submap.empty())
+        writePcd(file("submaps/" + name + ".pcd"), stored.detail_submap, stored.intensities);
     }
   }
 
@@ -204,6 +219,7 @@ class MapExport {
           submaps_of_tile[tile].push_back(&submap);
     if (submaps_of_tile.empty()) return note("there is no map: no submap is closed");
     removeFormerClouds();
+    with_intensities_ = haveIntensities();
     if (config_.tile) makeFolder(file("map_tiles"));
     std::size_t done = 0;
     const auto write_all = [&](auto then) {
@@ -216,15 +232,17 @@ class MapExport {
     };
     if (config_.tile)
       return write_all([&](const Tile& tile, const TileCloud& cloud) {
-        writeTile("map", tile, cloud.kept.points());
-        writeTile("map_dynamic", tile, cloud.dynamic.points());
+        writeTile("map", tile, cloud.kept);
+        writeTile("map_dynamic", tile, cloud.dynamic);
       });
     // Streams of all formats at a time, so that submaps are read once.
     Outputs kept = outputsOf("map"), dynamic;
     if (removesDynamic()) dynamic = outputsOf("map_dynamic");
     write_all([&](const Tile&, const TileCloud& cloud) {
-      for (const auto& output : kept) output->stream->write(cloud.kept.points());
-      for (const auto& output : dynamic) output->stream->write(cloud.dynamic.points());
+      for (const auto& output : kept)
+        output->stream->write(cloud.kept.points(), cloud.kept.intensities());
+      for (const auto& output : dynamic)
+        output->stream->write(cloud.dynamic.points(), cloud.dynamic.intensities());
     });
     for (const auto& output : kept) output->finish();
     for (const auto& output : dynamic) output->finish();
@@ -232,8 +250,10 @@ class MapExport {
 
   /// A cloud that is there when it is whole.
   struct Output {
-    Output(const std::string& format, const std::string& path)
-        : path(path), temporary(path + ".part"), stream(makeCloudStream(format, temporary)) {}
+    Output(const std::string& format, const std::string& path, bool with_intensities)
+        : path(path),
+          temporary(path + ".part"),
+          stream(makeCloudStream(format, temporary, with_intensities)) {}
     ~Output() { std::remove(temporary.c_str()); }
     void finish() {
       stream->finish();
@@ -249,8 +269,21 @@ class MapExport {
   Outputs outputsOf(const std::string& name) const {
     Outputs outputs;
     for (const std::string& format : config_.clouds)
-      outputs.emplace_back(std::make_unique<Output>(format, file(name).append(".").append(format)));
+      outputs.emplace_back(std::make_unique<Output>(format, file(name).append(".").append(format),
+                                                    with_intensities_));
     return outputs;
+  }
+
+  /// Whether the first submap of some session that can be read has intensities.
+  bool haveIntensities() {
+    std::set<SessionId> known;
+    for (const SubmapClosed& submap : session_.submaps) {
+      if (known.count(submap.id.session) > 0) continue;
+      const MapUpdate stored = read(submap, {SubmapRecord::intensities});
+      if (!stored.intensities.empty()) return true;
+      if (stored.submap) known.insert(submap.id.session);
+    }
+    return false;
   }
 
   TileCloud merged(const Tile& tile, double edge, const std::vector<const SubmapClosed*>& submaps) {
@@ -259,17 +292,14 @@ class MapExport {
     TileCloud cloud(
         std::max(config_.resolution.value_or(0.0), parameters_.mapping.detail_voxel_size));
     for (const SubmapClosed* submap : submaps) {
-      const Points points =
-          within(tile, edge, read(*submap, {SubmapRecord::detail}).detail_submap, placeOf(*submap));
-      if (!filter) {
-        cloud.kept.insert(points, Pose::identity());
-        continue;
+      const Cloud all = within(tile, edge, read(*submap, kCloudRecords), placeOf(*submap));
+      Cloud kept, dynamic;
+      for (std::size_t i = 0; i < all.points.size(); ++i) {
+        const bool is_dynamic = filter && filter->isDynamic(all.points[i]);
+        (is_dynamic ? dynamic : kept).add(all.points[i], all.intensities, i);
       }
-      Points kept, dynamic;
-      for (const Eigen::Vector3f& point : points)
-        (filter->isDynamic(point) ? dynamic : kept).push_back(point);
-      cloud.kept.insert(kept, Pose::identity());
-      cloud.dynamic.insert(dynamic, Pose::identity());
+      cloud.kept.insert(kept.points, Pose::identity(), kept.intensities);
+      cloud.dynamic.insert(dynamic.points, Pose::identity(), dynamic.intensities);
     }
     return cloud;
   }
@@ -311,13 +341,13 @@ class MapExport {
     }
   }
 
-  void writeTile(const std::string& name, const Tile& tile, const Points& points) {
-    if (points.empty()) return;
+  void writeTile(const std::string& name, const Tile& tile, const PointMap& cloud) {
+    if (cloud.points().empty()) return;
     const std::string numbers = std::to_string(tile.first) + "_" + std::to_string(tile.second);
     const std::string path = file("map_tiles/" + name + "_" + numbers + ".");
     for (const std::string& format : config_.clouds) {
-      Output output(format, path + format);
-      output.stream->write(points);
+      Output output(format, path + format, with_intensities_);
+      output.stream->write(cloud.points(), cloud.intensities());
       output.finish();
     }
   }
@@ -371,6 +401,7 @@ class MapExport {
   const SessionOffsets<ScanId> scans_;
   DynamicVoxels dynamic_voxels_{parameters_.occupancy.resolution};
   std::vector<std::string> notices_;
+  bool with_intensities_ = false;  // of clouds
 };
 
 }  // namespace

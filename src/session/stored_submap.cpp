@@ -176,6 +176,9 @@ void take(const Record& record, Submap& submap, MapUpdate& update) {
     case SubmapRecord::sightings:
       update.sightings = readSightings(bytes);
       return;
+    case SubmapRecord::intensities:
+      update.intensities = ByteReader(record.payload).rest<float>();
+      return;
   }
 }
 
@@ -192,6 +195,8 @@ std::string encodeSubmap(const MapUpdate& update) {
   if (update.occupancy) file += record(SubmapRecord::occupancy, occupancyOf(*update.occupancy));
   if (!update.sightings.empty())
     file += record(SubmapRecord::sightings, sightingsOf(update.sightings));
+  if (!update.intensities.empty())
+    file += record(SubmapRecord::intensities, listOf(update.intensities));
   return file;
 }
 
@@ -204,6 +209,10 @@ MapUpdate readSubmap(const std::string& path, const std::set<SubmapRecord>& want
   MapUpdate update;
   try {
     for (const Record& record : file.records) take(record, *submap, update);
+    const bool are_of_the_detail = update.intensities.empty() ||
+                                   wanted.count(SubmapRecord::detail) == 0 ||
+                                   update.intensities.size() == update.detail_submap.size();
+    if (!are_of_the_detail) throw std::runtime_error("intensities are of other points");
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());
   }

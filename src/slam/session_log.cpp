@@ -189,7 +189,8 @@ MapUpdatePtr SessionLog::stored(std::size_t submap, const SessionWriter* lost) c
       return std::make_shared<const MapUpdate>(
           readSubmap(submapFile(target_.folder, id, info_.id),
                      {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals,
-                      SubmapRecord::detail, SubmapRecord::occupancy, SubmapRecord::sightings}));
+                      SubmapRecord::detail, SubmapRecord::occupancy, SubmapRecord::sightings,
+                      SubmapRecord::intensities}));
   } catch (const std::runtime_error&) {
   }
   auto update = std::make_shared<MapUpdate>();

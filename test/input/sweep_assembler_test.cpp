@@ -79,6 +79,27 @@ TEST(SweepAssembler, joinsPartsOfAnySizeOfAnySensor) {
   }
 }
 
+TEST(SweepAssembler, joinsIntensitiesWithTheirPoints) {
+  std::vector<ScanReading> messages = Spinning().messages(20, 3);
+  for (std::size_t i = 0; i < messages.size(); ++i)
+    if (i % 3 != 1)  // a part without any
+      for (const Eigen::Vector3f& point : messages[i].scan->points)
+        messages[i].scan->intensities.push_back(point.x());
+  SweepAssembler assembler{ScanInputConfig()};
+  std::size_t with = 0, joined = 0;
+  for (const SweepAssembler::Sweep& sweep : assemble(assembler, messages)) {
+    const Scan& scan = *sweep.reading.scan;
+    ASSERT_EQ(scan.intensities.size(), scan.points.size());
+    joined += sweep.messages > 1;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      EXPECT_TRUE(scan.intensities[i] == scan.points[i].x() || scan.intensities[i] == 0.0f);
+      with += scan.intensities[i] != 0.0f;
+    }
+  }
+  EXPECT_GT(joined, 5u);
+  EXPECT_GT(with, 1000u);
+}
+
 TEST(SweepAssembler, joinsPacketsToRevolutions) {
   for (const double stagger : {0.0, 2.0}) {
     Spinning sensor;

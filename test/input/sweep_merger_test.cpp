@@ -203,6 +203,26 @@ TEST(SweepMerger, EveryPointIsInASweepOrDropped) {
   EXPECT_GT(dropped, 0u);
 }
 
+TEST(SweepMerger, PointsKeepTheirIntensities) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps;
+  for (int i = 0; i < 10; ++i) {
+    for (const std::size_t sensor : {0, 1, 2}) {
+      ScanReading message = messageOf(sensor, 0.1 * i);
+      if (sensor != 1)
+        message.scan->intensities.assign(message.scan->points.size(),
+                                         10.0f * static_cast<float>(sensor + 1));
+      append(merger.take(std::move(message)), sweeps);
+    }
+  }
+  ASSERT_GT(sweeps.size(), 5u);
+  const Scan& scan = *sweeps[3].scan;
+  ASSERT_EQ(scan.intensities.size(), scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i)
+    EXPECT_EQ(scan.intensities[i],
+              scan.points[i].y() == 1.0f ? 0.0f : 10 * (scan.points[i].y() + 1));
+}
+
 TEST(SweepMerger, OneSensorIsNotMerged) {
   EXPECT_FALSE(SweepMerger(ScanInputConfig()).merges());
   EXPECT_TRUE(SweepMerger(ScanInputConfig()).accounts().empty());

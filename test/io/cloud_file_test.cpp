@@ -13,11 +13,12 @@ namespace revisit_slam {
 namespace {
 
 const Points kPoints{{1.0f, 2.0f, 3.0f}, {-4.5f, 0.0f, 1000.25f}, {7.0f, -8.0f, 9.0f}};
+const std::vector<float> kIntensities{0.0f, 17.6f, 1e9f};  // of the first there is none
 
-void write(const std::string& format, const std::string& path) {
-  const auto stream = makeCloudStream(format, path);
-  stream->write({kPoints[0]});
-  stream->write({kPoints[1], kPoints[2]});
+void write(const std::string& format, const std::string& path, bool with_intensities = false) {
+  const auto stream = makeCloudStream(format, path, with_intensities);
+  stream->write({kPoints[0]}, {});
+  stream->write({kPoints[1], kPoints[2]}, {kIntensities[1], kIntensities[2]});
   stream->finish();
 }
 
@@ -28,6 +29,18 @@ TEST(CloudFile, PlyIsWhatOthersRead) {
   ASSERT_EQ(pcl::io::loadPLYFile(folder.file("map.ply"), read), 0);
   ASSERT_EQ(read.size(), kPoints.size());
   for (std::size_t i = 0; i < kPoints.size(); ++i) EXPECT_EQ(read[i].getVector3fMap(), kPoints[i]);
+}
+
+TEST(CloudFile, PlyHasIntensitiesWhereThereAreSome) {
+  const TemporaryFolder folder;
+  write("ply", folder.file("map.ply"), true);
+  pcl::PointCloud<pcl::PointXYZI> read;
+  ASSERT_EQ(pcl::io::loadPLYFile(folder.file("map.ply"), read), 0);
+  ASSERT_EQ(read.size(), kPoints.size());
+  for (std::size_t i = 0; i < kPoints.size(); ++i) {
+    EXPECT_EQ(read[i].getVector3fMap(), kPoints[i]);
+    EXPECT_EQ(read[i].intensity, kIntensities[i]);
+  }
 }
 
 /// Offsets as in Tables 3 and 7 of the specification of LAS 1.2.
@@ -56,6 +69,10 @@ TEST(CloudFile, LasHasItsFieldsWhereTheSpecificationPutsThem) {
   ASSERT_EQ(bytes.size(), 227u + 3u * 20u);
   const std::string second = at(227 + 20);
   EXPECT_EQ(ByteReader(second).get<std::int32_t>(), -4500);
+  for (const auto& [point, intensity] : {std::pair(0, 0), std::pair(1, 18), std::pair(2, 65535)}) {
+    const std::string rest = at(static_cast<std::size_t>(227 + 20 * point + 12));
+    EXPECT_EQ(ByteReader(rest).get<std::uint16_t>(), intensity);
+  }
 }
 
 TEST(CloudFile, RefusesOtherFormatsAndSaysHowToGetThem) {

@@ -24,6 +24,23 @@ TEST(Pcd, ReadsBackTheSameBits) {
   }
 }
 
+TEST(Pcd, IntensitiesAreAFieldOfThePoints) {
+  const TemporaryFolder folder;
+  const Points points = RandomNumbers(2).cloud(100, 10.0);
+  std::vector<float> intensities;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    intensities.push_back(0.5f * static_cast<float>(i));
+  writePcd(folder.file("map.pcd"), points, intensities);
+  pcl::PointCloud<pcl::PointXYZI> read;
+  ASSERT_EQ(pcl::io::loadPCDFile(folder.file("map.pcd"), read), 0);
+  ASSERT_EQ(read.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(Eigen::Vector3f(read[i].getVector3fMap()), points[i]);
+    EXPECT_EQ(read[i].intensity, intensities[i]);
+  }
+  EXPECT_EQ(readPcdPoints(folder.file("map.pcd")), points);
+}
+
 TEST(Pcd, RefusesAnEmptyCloudAndKeepsTheOldFile) {
   const TemporaryFolder folder;
   const std::string path = folder.with("map.pcd", "old");

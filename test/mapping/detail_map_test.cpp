@@ -55,6 +55,17 @@ TEST(DetailMap, KnowsWhichSensorSawAPoint) {
   EXPECT_EQ(sightings.groups[1].end, 2u);
 }
 
+TEST(DetailMap, APointHasTheIntensityWithWhichItWasSeenFirst) {
+  DetailMap map(0.1);
+  map.insert({kPoints[1]}, {}, {0.0, 0.0, 1.5});  // without
+  EXPECT_TRUE(map.intensities().empty());
+  map.insert(kPoints, {}, {0.0, 0.0, 1.5}, {}, {7.0f, 8.0f, 9.0f});
+  EXPECT_EQ(map.points(), (Points{kPoints[1], kPoints[0]}));
+  EXPECT_EQ(map.intensities(), (std::vector<float>{0.0f, 7.0f}));
+  map.insert({{5.0f, 5.0f, 5.0f}}, {}, {0.0, 0.0, 1.5});
+  EXPECT_EQ(map.intensities(), (std::vector<float>{0.0f, 7.0f, 0.0f}));
+}
+
 TEST(DetailMap, ASensorWithoutPointsSawNone) {
   DetailMap map(0.1);
   const Eigen::Vector3d blind(5.0, 0.0, 0.5), front(1.0, 0.0, 0.5);

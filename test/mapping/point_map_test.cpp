@@ -32,6 +32,13 @@ TEST(PointMap, KeepsTheFirstPointOfEachVoxelOfTheWholeDrive) {
   EXPECT_EQ(map.points(), expected);
 }
 
+TEST(PointMap, KeepsTheIntensitiesOfItsPoints) {
+  PointMap map(0.1);
+  map.insert({{5.0f, 5.0f, 5.0f}}, {});
+  map.insert({{1.0f, 2.0f, 3.0f}, {5.0f, 5.0f, 5.0f}, {4.0f, 2.0f, 3.0f}}, {}, {1.0f, 2.0f, 3.0f});
+  EXPECT_EQ(map.intensities(), (std::vector<float>{0.0f, 1.0f, 3.0f}));
+}
+
 TEST(PointMap, TakesTheSamePointsOnce) {
   PointMap map(0.1);
   EXPECT_TRUE(map.points().empty());

@@ -53,14 +53,20 @@ TEST(Preprocess, KeepsTheOrderOfLargeScansAndCountsEveryPoint) {
   for (const std::size_t count : {0u, 1u, 8191u, 8192u, 8193u, 50000u}) {
     Scan scan;
     scan.points = random.cloud(count, 10.0);
+    for (std::size_t i = 0; i < count; ++i) scan.intensities.push_back(static_cast<float>(i));
     Points kept;
+    std::vector<float> kept_intensities;
     std::size_t too_near = 0;
     for (const auto& point : scan.points) {
-      if (point.norm() >= 6.0f && point.norm() <= 9.0f) kept.push_back(point);
+      if (point.norm() >= 6.0f && point.norm() <= 9.0f) {
+        kept.push_back(point);
+        kept_intensities.push_back(static_cast<float>(&point - scan.points.data()));
+      }
       too_near += point.norm() < 6.0f;
     }
     const PreprocessedScan result = preprocess(scan, ConstantMotion(), ranges(6.0, 9.0));
     EXPECT_EQ(result.points_base, kept);
+    EXPECT_EQ(result.intensities, kept_intensities);
     EXPECT_EQ(result.too_near, too_near);
     EXPECT_EQ(result.too_far, count - too_near - kept.size());
   }

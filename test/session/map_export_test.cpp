@@ -2,9 +2,12 @@
 #include "revisit_slam/session/map_export.h"
 
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -66,6 +69,26 @@ TEST_F(MapExportTest, TheMapHasOnePointForAVoxelWhereTheGraphPutsIt) {
                           [](const Eigen::Vector3f& p) { return p.y() < -1900.0f; }));
   makeAll();
   EXPECT_GT(readPcdPoints(out("map.pcd")).size(), 3 * coarse.size());
+}
+
+/// Of a map that a sensor with intensities goes on with.
+TEST_F(MapExportTest, PointsHaveIntensitiesWhereSubmapsHave) {
+  for (const SubmapClosed& submap : session_.submaps) {
+    const std::string path = submapFile(session_.folder, submap.id, session_.info.id);
+    MapUpdate update = readSubmap(path, {SubmapRecord::trajectory, SubmapRecord::detail});
+    update.intensities.assign(update.detail_submap.size(), static_cast<float>(submap.id.value + 1));
+    std::ofstream(path, std::ios::binary) << encodeSubmap(update);
+  }
+  ExportConfig config;
+  config.occupancy = false;
+  makeAll(config);
+  pcl::PointCloud<pcl::PointXYZI> map;
+  ASSERT_EQ(pcl::io::loadPCDFile(out("map.pcd"), map), 0);
+  std::map<int, int> points_of;
+  for (const pcl::PointXYZI& point : map) ++points_of[static_cast<int>(point.intensity)];
+  EXPECT_EQ(points_of.size(), session_.submaps.size());
+  for (const auto& [submap, points] : points_of) EXPECT_GT(points, 10) << submap;
+  EXPECT_TRUE(contains(textOf(out("submaps/000000.pcd")), "FIELDS x y z intensity"));
 }
 
 TEST_F(MapExportTest, TilesTogetherAreTheMap) {

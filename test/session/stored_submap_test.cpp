@@ -14,7 +14,8 @@ namespace {
 
 const std::set<SubmapRecord> kAll{SubmapRecord::trajectory, SubmapRecord::points,
                                   SubmapRecord::normals,    SubmapRecord::detail,
-                                  SubmapRecord::occupancy,  SubmapRecord::sightings};
+                                  SubmapRecord::occupancy,  SubmapRecord::sightings,
+                                  SubmapRecord::intensities};
 
 TEST(StoredSubmap, IsReadAsItWas) {
   const TemporaryFolder folder;
@@ -31,6 +32,16 @@ TEST(StoredSubmap, IsReadAsItWas) {
   EXPECT_EQ(encodeSubmap(read), encodeSubmap(*update));  // poses and occupancy too
 }
 
+TEST(StoredSubmap, HasTheIntensitiesOfItsDetail) {
+  const TemporaryFolder folder;
+  MapUpdate update = *StreetDrive::get().updates.at(1);
+  for (std::size_t i = 0; i < update.detail_submap.size(); ++i)
+    update.intensities.push_back(static_cast<float>(i % 256));
+  const MapUpdate read = readSubmap(folder.with("a.rsm", encodeSubmap(update)), kAll);
+  EXPECT_EQ(read.intensities, update.intensities);
+  EXPECT_EQ(encodeSubmap(read), encodeSubmap(update));
+}
+
 /// With right checksums: nothing but the contents tells.
 TEST(StoredSubmap, ContentsThatCannotBeAreRefusedWithTheFile) {
   const TemporaryFolder folder;
@@ -44,7 +55,9 @@ TEST(StoredSubmap, ContentsThatCannotBeAreRefusedWithTheFile) {
   far.occupancy = occupancy;
   MapUpdate others = *StreetDrive::get().updates.at(1);
   others.sightings.lasted.pop_back();
-  for (const MapUpdate& update : {nowhere, far, others}) try {
+  MapUpdate brighter = *StreetDrive::get().updates.at(1);
+  brighter.intensities.resize(brighter.detail_submap.size() + 1);
+  for (const MapUpdate& update : {nowhere, far, others, brighter}) try {
       readSubmap(folder.with("a.rsm", encodeSubmap(update)), kAll);
       FAIL();
     } catch (const std::runtime_error& error) {

@@ -25,4 +25,9 @@ KeptPoints readPoints(const PointView& view);
 std::vector<double> readField(const PointView& view, const PointField& field,
                               const std::vector<std::uint32_t>& byte_offsets);
 
+/// Of each of these points, 0 where it is not finite: field `intensity`, or `reflectivity` as Livox
+/// and others call it. Empty where there is neither.
+std::vector<float> readIntensities(const PointView& view,
+                                   const std::vector<std::uint32_t>& byte_offsets);
+
 }  // namespace revisit_slam

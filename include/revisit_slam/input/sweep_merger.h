@@ -53,6 +53,7 @@ class SweepMerger {
   struct Point {
     std::int64_t nanoseconds;  // since 1970
     Eigen::Vector3f p_sensor;
+    float intensity;
   };
   struct Sensor {
     std::string topic;
@@ -80,6 +81,7 @@ class SweepMerger {
   std::int64_t max_wait_;  // ns
   std::vector<Sensor> sensors_;
   std::optional<std::int64_t> closed_until_;  // window behind the last one that was closed
+  bool has_intensities_ = false;              // some sensor has
   std::size_t last_size_ = 0;                 // points of the last sweep
 };
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "revisit_slam/types/scan.h"
 
@@ -13,14 +14,22 @@ class CloudStream {
  public:
   virtual ~CloudStream() = default;
 
-  virtual void write(const Points& points) = 0;
+  /// `intensities`: one for each point, or none, which is 0 for each; of a stream without them they
+  /// are left out.
+  virtual void write(const Points& points, const std::vector<float>& intensities) = 0;
   /// Puts into the header what is known at the end. @throws std::runtime_error naming the file.
   virtual void finish() = 0;
 };
 
-/// `format`: pcd (binary), ply (binary) or las (1.2, to the millimetre).
+/// `format`: pcd (binary), ply (binary) or las (1.2, to the millimetre; intensities as whole
+/// numbers of 16 bits). `with_intensities`: points have a field for them.
 /// @throws std::invalid_argument for another one, std::runtime_error naming a file.
-std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path);
+std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
+                                             bool with_intensities);
+
+/// Points as they lie in files: x, y and z, with intensities a fourth number.
+std::string pointBytes(const Points& points, const std::vector<float>& intensities,
+                       bool with_intensities);
 
 /// @throws std::invalid_argument for a format that makeCloudStream() does not write.
 void requireCloudFormat(const std::string& format);

@@ -36,18 +36,24 @@ class DetailMap {
   explicit DetailMap(double voxel_size) : voxels_per_metre_(1.0 / voxel_size) {}
 
   /// @param views of several sensors, which points each saw; empty: all from `sensor_base`.
+  /// @param intensities one for each point, or none.
   void insert(const Points& points_base, const Pose& T_submap_base,
-              const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views = {});
+              const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views = {},
+              const std::vector<float>& intensities = {});
 
   const Points& points() const { return points_; }
+  /// Of the points, 0 where one has none; empty where none has one.
+  const std::vector<float>& intensities() const { return intensities_; }
   const Sightings& sightings() const { return sightings_; }
 
  private:
-  void see(const Voxel& voxel, const Eigen::Vector3d& point);
+  /// @return whether the point is the first in its voxel.
+  bool see(const Voxel& voxel, const Eigen::Vector3d& point);
 
   double voxels_per_metre_;
   std::uint32_t scans_ = 0;
   Points points_;
+  std::vector<float> intensities_;
   Sightings sightings_;
   std::vector<std::uint32_t> first_scans_;  // of the points
   VoxelNumbers point_in_;

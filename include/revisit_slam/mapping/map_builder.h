@@ -19,8 +19,9 @@ struct MapUpdate {
   SubmapPtr submap;
   /// The points of the submap as finely as files have them, in its frame.
   Points detail_submap;
-  Sightings sightings;           ///< of these points; none: not known
-  SubmapOccupancyPtr occupancy;  ///< of the submap; null where occupancy is switched off
+  std::vector<float> intensities;  ///< of these points; none: the sensor has none
+  Sightings sightings;             ///< of these points; none: not known
+  SubmapOccupancyPtr occupancy;    ///< of the submap; null where occupancy is switched off
   LocalMapPtr local_map;
   /// That the submap is in, and is told when it is on disk; null: none.
   std::shared_ptr<SubmapLibrary> library = nullptr;

@@ -17,6 +17,7 @@ struct PreprocessedScan {
   /// Of each point: the time from when it was seen to the stamp, as a fraction of the time since
   /// the previous scan, at most 1. Empty where nothing was deskewed or there is no such time.
   std::vector<float> sweep_fractions;
+  std::vector<float> intensities;  ///< of each point, or none
   std::size_t too_near = 0;
   std::size_t too_far = 0;
   std::size_t on_body = 0;

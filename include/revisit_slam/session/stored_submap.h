@@ -18,6 +18,7 @@ enum class SubmapRecord : std::uint32_t {
   detail = 5,
   occupancy = 6,
   sightings = 7,
+  intensities = 8,
 };
 
 /// A closed submap as bytes of its file, NNNNNN.rsm.

@@ -42,6 +42,7 @@ struct RegisteredScan {
   RegistrationResult registration;
   double seconds_since_previous = 0.0;  ///< 0 for the first scan
   Points points_base;                   ///< all points in range, deskewed to `stamp`
+  std::vector<float> intensities;       ///< of these, or none
   Eigen::Vector3d sensor_base = Eigen::Vector3d::Zero();  ///< where the points were seen from
   /// Of several sensors: from where the points that follow one another were. Empty: from above.
   std::vector<PointsView> views;

@@ -34,6 +34,8 @@ struct Scan {
   /// Of a sweep of several sensors: the points of one after those of another, each in the frame of
   /// its own. Empty: all are of the sensor above.
   std::vector<ScanView> views;
+  /// Of each point, in the sensor's own unit; empty where it has none.
+  std::vector<float> intensities = {};
 };
 
 }  // namespace revisit_slam
