@@ -50,6 +50,20 @@ TEST_F(LiveControl, oldNameOfAParameterIsAcceptedWithAWarning) {
   EXPECT_TRUE(contains(log.text(), "is now called 'loops/consistency/rotation'"));
 }
 
+/// The server would take what it does not find on the parameter server from its own defaults.
+TEST_F(LiveControl, beginsWithTheValuesOfThePresetAndOfTexts) {
+  setParameter("preset", std::string("paper"));
+  setParameter("odometry/max_range", std::string("3e1"));
+  load();
+  dynamic_reconfigure::Reconfigure call;
+  ASSERT_TRUE(ros::service::call(space_ + "odometry/odometry/set_parameters", call));
+  LiveOdometryConfig config = LiveOdometryConfig::__getDefault__();
+  config.__fromMessage__(call.response.config);
+  EXPECT_EQ(config.min_range, 0.0);
+  EXPECT_EQ(config.max_prediction_time, 60.0);
+  EXPECT_EQ(config.max_range, 30.0);
+}
+
 TEST_F(LiveControl, maximumRangeAppliesFromTheNextScan) {
   load();
   EXPECT_EQ(pointsTooFar(), 0);

@@ -18,7 +18,9 @@ std::vector<NamedText> textsOf(const dynamic_reconfigure::Config& values);
 void fill(const std::vector<Parameter>& parameters, dynamic_reconfigure::Config& values);
 
 /// Some parameters of a group that may change while the nodelet runs: those that a cfg/*.cfg file
-/// names. What cannot be used, such as a NaN, is answered with the values in force.
+/// names. They begin with the values of the configuration, wherever those are from: the server
+/// would take its own defaults for what a preset says, or a number that is written as text. What
+/// cannot be used, such as a NaN, is answered with the values in force.
 template <typename LiveConfig, typename Config>
 class LiveParameters {
  public:
@@ -26,11 +28,23 @@ class LiveParameters {
   /// at once too.
   LiveParameters(const ros::NodeHandle& node, const std::string& group, const Config& config,
                  std::function<void(const Config&)> on_change)
-      : config_(config), on_change_(std::move(on_change)), server_(ros::NodeHandle(node, group)) {
+      : config_(config),
+        on_change_(std::move(on_change)),
+        server_(withValues(ros::NodeHandle(node, group), config_)) {
     server_.setCallback([this](LiveConfig& values, uint32_t) { change(values); });
   }
 
  private:
+  static ros::NodeHandle withValues(const ros::NodeHandle& node, Config& config) {
+    LiveConfig values = LiveConfig::__getDefault__();
+    dynamic_reconfigure::Config message;
+    values.__toMessage__(message);
+    fill(parametersOf(config), message);
+    values.__fromMessage__(message);
+    values.__toServer__(node);
+    return node;
+  }
+
   void change(LiveConfig& values) {
     dynamic_reconfigure::Config message;
     values.__toMessage__(message);
