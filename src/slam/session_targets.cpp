@@ -48,6 +48,10 @@ SessionTargets liveTargets(const LiveConfig& live, const std::string& sensor) {
 
 void requireWritable(const LiveConfig& live) {
   if (live.folder.empty()) return;
+  for (const std::filesystem::path& part : std::filesystem::path(live.folder))
+    if (part == "~")
+      throw ParameterError("live/folder is '" + live.folder +
+                           "': ~ is not expanded here, so write the folder out");
   std::error_code error;
   std::filesystem::create_directories(live.folder, error);
   const std::string trial = live.folder + "/.trial_" + std::to_string(getpid());

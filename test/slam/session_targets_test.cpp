@@ -36,6 +36,12 @@ TEST(SessionTargets, WhatElseADriveWritesIntoItsFolderIsItsOwn) {
   EXPECT_TRUE(liveTargets(live, "")(SessionId{1}, Stamp::fromSeconds(1.0)).is_ours);
 }
 
+TEST(SessionTargets, AFolderOfTheShellsHomeIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_NE(faultOf(folder.file("~/maps")).find("~ is not expanded"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+}
+
 TEST(SessionTargets, AFolderThatCannotBeWrittenIsRefusedWithTheReason) {
   for (const char* folder : {"/proc/maps", "/proc"}) {
     const std::string fault = faultOf(folder);

@@ -48,7 +48,7 @@ struct FramesConfig {
 struct LiveConfig {
   int queue_size = 100;
   double diagnostics_period = 1.0;
-  std::string folder, save_root, map;
+  std::string folder, save_root, mode = "map", map;
   bool broadcast_map = true;
   bool broadcast_odom = true;
   double transform_rate = 20.0;
@@ -71,9 +71,12 @@ struct LiveConfig {
     v("save_root", save_root, Choices{}, "",
       "folder below which the service save may write and the services load may read; empty: "
       "anywhere that the process may. Set it where others can call services");
+    v("mode", mode, Choices{"map", "localize", "extend"}, "",
+      "what is made of the drive. map: a new map; localize: its way in localization/map; extend: a "
+      "map that goes on from live/map. The launch files load the nodelets for it");
     v("map", map, Choices{}, "",
-      "folder of the session whose map the first drive goes on from; empty: a new map. Read by the "
-      "odometry");
+      "with live/mode extend, folder of the session whose map the first drive goes on from; "
+      "otherwise empty. Read by the odometry");
     v("broadcast_map", broadcast_map,
       "true: the transform from map to odometry frame is broadcast; false: another node has to do "
       "so");

@@ -26,6 +26,15 @@ KnownMapPtr read(const std::string& folder, const SlamConfig& config) {
 }  // namespace
 
 KnownMapPtr mapToExtend(const SlamConfig& config) {
+  if (config.live.map.empty() && config.live.mode == "extend")
+    throw ParameterError(
+        "live/mode is extend, but live/map is empty: which session is to be "
+        "extended? Set map:=FOLDER, or mode:=map for a new map");
+  if (!config.live.map.empty() && config.live.mode != "extend")
+    throw ParameterError("live/map is '" + config.live.map + "', but live/mode is " +
+                         config.live.mode +
+                         ": set mode:=extend to go on from that map, mode:=localize to find the "
+                         "drive in it, or leave map out");
   if (config.live.map.empty()) return nullptr;
   try {
     return read(config.live.map, config);

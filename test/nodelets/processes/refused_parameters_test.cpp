@@ -28,6 +28,12 @@ TEST(RefusedParameters, valueOutOfRangeEndsTheNodeletAndIsNamed) {
                 "parameter 'odometry/max_range' is '0.5', but must be 1 ");
 }
 
+TEST(RefusedParameters, aModeWithoutItsMapAndAMapWithoutItsModeEndTheNodelet) {
+  expectRefused("live/mode:=localise", "parameter 'live/mode' is 'localise'");
+  expectRefused("live/mode:=extend", "live/mode is extend, but live/map is empty");
+  expectRefused("live/map:=somewhere", "live/map is 'somewhere', but live/mode is map");
+}
+
 TEST(RefusedParameters, wordThatIsNoChoiceEndsTheNodeletAndIsNamed) {
   expectRefused("input/time_unit:=weeks", "parameter 'input/time_unit' is 'weeks'");
 }

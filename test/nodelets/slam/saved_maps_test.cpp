@@ -75,6 +75,7 @@ TEST(ExtendingLive, givesTheFilesOfTheOfflineProgram) {
 
   const TemporaryFolder folder;
   LiveSlam slam("extend", folder.file("drives"));
+  slam.setAll("live/mode", std::string("extend"));
   slam.setAll("live/map", savedMap());
   const Heard<LocalizationStatus> states(slam, "localization");
   const Heard<sensor_msgs::PointCloud2> prior(slam, "prior_map");
