@@ -29,6 +29,7 @@ class OdometryNodelet : public SlamNodelet {
   OdometryNodelet() : SlamNodelet("odometry") {}
   ~OdometryNodelet() override {
     stopDiagnostics();
+    flush_timer_.stop();
     if (scans_) scans_->unsubscribe();
     if (motions_) motions_->unsubscribe();
     reset_service_.shutdown();
@@ -76,6 +77,9 @@ class OdometryNodelet : public SlamNodelet {
     scans_->subscribe(
         node, [this](const ArrivedScan& scan) { queue_->push(scan); },
         [this](const std::string& fault) { onDamaged(fault); });
+    flush_timer_ = node.createWallTimer(ros::WallDuration(0.25), [this](const auto&) {
+      guarded([this] { flushWhereNoneComes(); });
+    });
   }
 
   // In the thread of the queue.
@@ -156,11 +160,20 @@ class OdometryNodelet : public SlamNodelet {
       NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
       return;
     }
+    if (result.output.scan->id.value == 0) checkBroadcast();
     topics_->publish(result.output, placement_->baseFrame());
     const RegistrationResult& registration = result.output.scan->registration;
     if (registration.outcome == RegistrationOutcome::too_few_correspondences)
       NODELET_WARN_THROTTLE(5.0, "registration failed: %s (%zu)", toString(registration.outcome),
                             registration.correspondences);
+  }
+
+  /// Before the first broadcast: afterwards TF has our own.
+  void checkBroadcast() {
+    const std::string fault = topics_->broadcastFault(*placement_);
+    if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
+    const std::lock_guard<std::mutex> lock(mutex_);
+    broadcast_fault_ = fault;
   }
 
   void note(const OdometryStage::Result& result) {
@@ -208,14 +221,17 @@ class OdometryNodelet : public SlamNodelet {
     report_.askMaster(*scans_);
     countUncounted();
     const std::lock_guard<std::mutex> lock(mutex_);
-    flushWhereNoneComes();
     report_.tell(*scans_, queue_->waiting(), placement_->fault(), numbers_.medianTime(), *stage_,
                  status);
     numbers_.tell(*stage_, status);
+    if (broadcast_fault_.empty()) return;
+    status.level = status.ERROR;
+    status.message = broadcast_fault_;
   }
 
   /// What is held while no scan comes for a second has waited long enough for the next one.
   void flushWhereNoneComes() {
+    const std::lock_guard<std::mutex> lock(mutex_);
     const ros::WallTime now = ros::WallTime::now();
     const std::size_t received = stage_->account().received;
     if (std::exchange(received_before_, received) != received) received_at_ = now;
@@ -228,17 +244,19 @@ class OdometryNodelet : public SlamNodelet {
   std::unique_ptr<SensorPlacement> placement_;
   std::unique_ptr<OdometryTopics> topics_;
 
-  std::mutex mutex_;  // guards the next six
+  std::mutex mutex_;  // guards the next seven
   std::unique_ptr<OdometryStage> stage_;
   KnownMapPtr next_map_;  // that the next session goes on from
   InputReport report_;
   OdometryReport numbers_;
   std::size_t received_before_ = 0;
   ros::WallTime received_at_;
+  std::string broadcast_fault_;
 
   std::atomic<bool> reset_requested_{false};
   std::atomic<std::size_t> full_{0}, damaged_{0};
   ros::ServiceServer reset_service_;
+  ros::WallTimer flush_timer_;
   std::unique_ptr<MapLoader> loader_;
   std::unique_ptr<WorkQueue<Message>> queue_;
   std::unique_ptr<LiveParameters<LiveOdometryConfig, OdometryConfig>> live_parameters_;

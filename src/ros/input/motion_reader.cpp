@@ -18,6 +18,11 @@ MotionReader::Result rejected(const char* sensor, const std::string& reason) {
 
 /// m. No robot is as large: what is farther from its base is placed in another frame.
 constexpr double kLongestLever = 100.0;
+constexpr const char* kTooFar = "more than 100 m from the base frame: a wrong transform";
+
+bool isTooFar(const Pose& T_base_sensor) {
+  return T_base_sensor.translation.norm() > kLongestLever;
+}
 
 bool isUsable(const geometry_msgs::Pose& pose) {
   const auto& [p, q] = std::tie(pose.position, pose.orientation);
@@ -62,8 +67,10 @@ MotionReader::Result MotionReader::readOdometry(const nav_msgs::Odometry& messag
   const geometry_msgs::Pose& pose = message.pose.pose;
   if (!isUsable(pose)) return rejected(sensor, "not a pose");
   if (message.header.stamp.isZero()) return rejected(sensor, "no stamp");
+  if (message.child_frame_id.empty()) return rejected(sensor, "no child_frame_id");
   const std::optional<Pose> T_base_child = find_extrinsics_(message.child_frame_id);
   if (!T_base_child) return rejected(sensor, "no transform from '" + message.child_frame_id + "'");
+  if (isTooFar(*T_base_child)) return rejected(sensor, kTooFar);
   OdometryReading reading;
   reading.stamp = toStamp(message.header.stamp);
   reading.T_world_base = toPose(pose) * T_base_child->inverse();
@@ -83,8 +90,10 @@ MotionReader::Result MotionReader::readImu(const sensor_msgs::Imu& message) cons
   if (!turn_rate.allFinite() || message.angular_velocity_covariance[0] == -1.0)
     return rejected(sensor, "no turn rate");
   if (message.header.stamp.isZero()) return rejected(sensor, "no stamp");
+  if (message.header.frame_id.empty()) return rejected(sensor, "no frame_id");
   const std::optional<Pose> T_base_imu = find_extrinsics_(message.header.frame_id);
   if (!T_base_imu) return rejected(sensor, "no transform from '" + message.header.frame_id + "'");
+  if (isTooFar(*T_base_imu)) return rejected(sensor, kTooFar);
   ImuReading reading;
   reading.stamp = toStamp(message.header.stamp);
   reading.turn_rate = T_base_imu->rotation * turn_rate;
@@ -111,13 +120,13 @@ MotionReader::Result MotionReader::readPosition(const sensor_msgs::NavSatFix& me
   if (antenna_base_) {
     reading.p_base = *antenna_base_;
   } else {
+    if (message.header.frame_id.empty()) return rejected(sensor, "no frame_id");
     const std::optional<Pose> T_base_antenna = find_extrinsics_(message.header.frame_id);
     if (!T_base_antenna)
       return rejected(sensor, "no transform from '" + message.header.frame_id + "'");
     reading.p_base = T_base_antenna->translation;
   }
-  if (reading.p_base.norm() > kLongestLever)
-    return rejected(sensor, "an antenna more than 100 m from the base frame: a wrong transform");
+  if (reading.p_base.norm() > kLongestLever) return rejected(sensor, kTooFar);
   const auto covariance = toCovariance<3>(message.position_covariance);
   const bool is_known =
       message.position_covariance_type != sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN;

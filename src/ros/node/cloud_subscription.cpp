@@ -12,8 +12,8 @@
 namespace revisit_slam {
 namespace {
 
-using CloudPtr = sensor_msgs::PointCloud2::ConstPtr;
-using CloudHelper = ros::SubscriptionCallbackHelperT<const CloudPtr&>;
+using CloudEvent = ros::MessageEvent<const sensor_msgs::PointCloud2>;
+using CloudHelper = ros::SubscriptionCallbackHelperT<const CloudEvent&>;
 
 class CheckedClouds : public CloudHelper {
  public:
@@ -38,7 +38,7 @@ class CheckedClouds : public CloudHelper {
 }  // namespace
 
 ros::Subscriber subscribeToClouds(ros::NodeHandle& node, const std::string& topic,
-                                  const std::function<void(const CloudPtr&)>& on_cloud,
+                                  const std::function<void(const CloudEvent&)>& on_cloud,
                                   const std::function<void(const std::string&)>& on_damaged) {
   ros::SubscribeOptions options;
   options.topic = topic;

@@ -4,6 +4,8 @@
 #include <ros/console.h>
 #include <ros/time.h>
 
+#include <utility>
+
 #include "revisit_slam/ros/messages/scan_messages.h"
 
 namespace revisit_slam {
@@ -36,8 +38,13 @@ void InputReport::noteTimes(const std::string& description, const std::string& r
 }
 
 void InputReport::askMaster(const ScanSubscription& scans) {
-  const bool is_silent = watch_.isSilent(ros::WallTime::now().toSec(), scans.arrived());
-  published_ = is_silent ? publishedTopics() : std::vector<TypedTopic>();
+  const std::size_t arrived = scans.arrived();
+  if (std::exchange(arrived_before_, arrived) != arrived || asking_.waiting() > 0) return;
+  asking_.post([this] {
+    std::vector<TypedTopic> topics = publishedTopics();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    published_ = std::move(topics);
+  });
 }
 
 void InputReport::tell(const ScanSubscription& scans, std::size_t waiting,
@@ -48,7 +55,10 @@ void InputReport::tell(const ScanSubscription& scans, std::size_t waiting,
   state.topics = scans.topics();
   state.several_sensors = scans.areOfSeveral();
   state.arrived = scans.arrived();
-  state.published = published_;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state.published = published_;
+  }
   state.waiting = waiting;
   state.clock_runs = !ros::Time::now().isZero();
   state.transform_fault = transform_fault;

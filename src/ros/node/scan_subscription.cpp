@@ -2,6 +2,8 @@
 #include "revisit_slam/ros/node/scan_subscription.h"
 
 #include <ros/master.h>
+#include <ros/message_event.h>
+#include <ros/this_node.h>
 
 #include <algorithm>
 
@@ -22,9 +24,9 @@ void ScanSubscription::subscribe(ros::NodeHandle& node, const OnScan& on_scan,
   if (!given_topics_.empty()) return;
   subscribers_.push_back(subscribeToClouds(
       node, "points",
-      [this, on_scan](const ArrivedScan::Cloud& cloud) {
+      [this, on_scan](const ros::MessageEvent<const sensor_msgs::PointCloud2>& cloud) {
         ++arrived_;
-        on_scan({cloud, toStamp(ros::Time::now())});
+        on_scan({cloud.getConstMessage(), toStamp(cloud.getReceiptTime())});
       },
       [this, on_damaged](const std::string& fault) {
         ++arrived_;
@@ -37,11 +39,14 @@ void ScanSubscription::subscribe(ros::NodeHandle& node, const OnScan& on_scan,
 void ScanSubscription::subscribeToBytes(ros::NodeHandle& node, const std::string& topic,
                                         std::size_t sensor, const OnScan& on_scan) {
   const uint32_t depth = 0;  // no limit: whoever listens drops scans, and counts them
-  subscribers_.push_back(node.subscribe<topic_tools::ShapeShifter>(
-      topic, depth, [this, sensor, on_scan](const ArrivedScan::Bytes& message) {
-        ++arrived_;
-        on_scan({message, toStamp(ros::Time::now()), sensor});
-      }));
+  using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
+  const boost::function<void(const Event&)> take = [this, sensor, on_scan](const Event& message) {
+    ++arrived_;
+    on_scan({message.getConstMessage(), toStamp(message.getReceiptTime()), sensor});
+  };
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const Event&>(topic, depth, take);
+  subscribers_.push_back(node.subscribe(options));
 }
 
 void ScanSubscription::unsubscribe() {
@@ -56,10 +61,14 @@ std::vector<std::string> ScanSubscription::topics() const {
 }
 
 std::vector<TypedTopic> publishedTopics() {
-  ros::master::V_TopicInfo known;
-  ros::master::getTopics(known);
+  XmlRpc::XmlRpcValue request, response, known;
+  request[0] = ros::this_node::getName();
+  request[1] = "";
+  const bool waits_for_master = false;
   std::vector<TypedTopic> topics;
-  for (const ros::master::TopicInfo& topic : known) topics.push_back({topic.name, topic.datatype});
+  if (!ros::master::execute("getPublishedTopics", request, response, known, waits_for_master))
+    return topics;
+  for (int i = 0; i < known.size(); ++i) topics.push_back({known[i][0], known[i][1]});
   return topics;
 }
 

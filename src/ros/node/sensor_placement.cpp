@@ -47,6 +47,12 @@ std::optional<Pose> SensorPlacement::find(const std::string& frame,
   return known->second = T_base_sensor;
 }
 
+std::string SensorPlacement::parentOfBase(const std::string& own_parent) const {
+  std::string parent;
+  if (!buffer_._getParent(base_frame_, ros::Time(0), parent) || parent == own_parent) return "";
+  return parent;
+}
+
 std::optional<Pose> SensorPlacement::lookUp(const std::string& sensor_frame) const {
   if (sensor_frame == base_frame_) return Pose::identity();
   try {

@@ -4,6 +4,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "revisit_slam/ros/messages/scan_messages.h"
@@ -18,7 +19,7 @@ void SlamNodelet::onInit() {
     config_.frames.dropLeadingSlashes();
     start();
     watchLoad("CPU of the process", processCpuSeconds);
-  } catch (const ParameterError& error) {
+  } catch (const std::exception& error) {
     NODELET_FATAL("%s", error.what());  // the loader drops what is thrown
     throw;
   }

@@ -3,6 +3,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <std_msgs/Bool.h>
 #include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
 
 #include "in_process_odometry.h"
 #include "support/contains.h"
@@ -57,6 +58,26 @@ TEST_F(InputFaults, aMissingTransformIsAnErrorThatNamesBothWaysOut) {
   mast.child_frame_id = "mast";
   broadcaster.sendTransform(std::vector<geometry_msgs::TransformStamped>{mounting, mast});
   EXPECT_TRUE(listener_.hasPoses(5));
+}
+
+TEST_F(InputFaults, aBaseThatTfPlacesAlreadyIsAnErrorThatNamesBothWaysOut) {
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped mounting;
+  mounting.transform.rotation.w = 1.0;
+  mounting.header.frame_id = "vehicle";
+  mounting.child_frame_id = "lidar";
+  broadcaster.sendTransform(mounting);
+  tf2_ros::Buffer known;
+  tf2_ros::TransformListener listener(known);
+  ASSERT_TRUE(becomesTrue([&] { return known.canTransform("vehicle", "lidar", ros::Time(0)); }));
+  load();                                         // the base is the sensor
+  ASSERT_TRUE(listener_.judges(Status::OK, ""));  // it listens, too
+  for (const auto& cloud : toClouds(driveInRoom(3))) publish(cloud);
+  EXPECT_TRUE(listener_.judges(Status::ERROR, "TF places 'lidar' in 'vehicle' already"))
+      << listener_.message();
+  for (const char* remedy : {"broadcast_odom:=false", "base_frame:="})
+    EXPECT_TRUE(contains(listener_.message(), remedy)) << listener_.message();
+  EXPECT_TRUE(listener_.hasPoses(3));
 }
 
 TEST_F(InputFaults, zeroStampsAreAnErrorAndArrivalsAreUsedOnRequest) {

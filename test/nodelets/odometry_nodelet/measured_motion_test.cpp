@@ -117,7 +117,14 @@ TEST_F(MeasuredMotion, itsOwnOdometryIsNoOther) {
   setParameter("priors/odometry_topic", std::string());
   setParameter("priors/odometry_frame", std::string("odom"));
   EXPECT_FALSE(loader_.load(space_ + "odometry", "revisit_slam/Odometry", {}, {}));
+  setParameter("priors/odometry_frame", std::string("/odom"));
+  EXPECT_FALSE(loader_.load(space_ + "odometry", "revisit_slam/Odometry", {}, {}));
   setParameter("live/broadcast_odom", false);
+  setParameter("priors/odometry_frame", std::string());
+  setParameter("priors/odometry_topic", std::string("odometry"));
+  EXPECT_FALSE(loader_.load(space_ + "odometry", "revisit_slam/Odometry", {}, {}));
+  setParameter("priors/odometry_topic", std::string());
+  setParameter("priors/odometry_frame", std::string("odom"));
   load();
 }
 

@@ -17,6 +17,7 @@ const Pose kMounting{expSO3({0.0, 0.0, 0.5 * M_PI}), {0.5, -0.2, 0.3}};
 std::optional<Pose> findExtrinsics(const std::string& frame) {
   if (frame == "base_link") return Pose::identity();
   if (frame == "mounted") return kMounting;
+  if (frame == "far away") return Pose{Eigen::Quaterniond::Identity(), {4000.0, 5000.0, 0.0}};
   return std::nullopt;
 }
 
@@ -97,7 +98,10 @@ TEST(MotionReader, AccelerationsAreTurnedIntoTheAxesOfTheBase) {
 
 TEST(MotionReader, WhatCannotBeUsedIsRejectedWithTheReason) {
   EXPECT_EQ(read(odometry("unknown")).rejection, "no transform from 'unknown'");
-  EXPECT_EQ(read(imu("")).rejection, "no transform from ''");
+  EXPECT_EQ(read(odometry("")).rejection, "no child_frame_id");
+  EXPECT_EQ(read(imu("")).rejection, "no frame_id");
+  EXPECT_EQ(read(imu("far away")).rejection,
+            "more than 100 m from the base frame: a wrong transform");
   const auto not_a_pose = odometry("base_link");
   not_a_pose->pose.pose.orientation.w = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(read(not_a_pose).rejection, "not a pose");
@@ -196,6 +200,7 @@ TEST(MotionReader, APositionWithoutCovarianceHasTheDeviationOfTheParameter) {
 
 TEST(MotionReader, PositionsThatAreNoneAreNamed) {
   EXPECT_EQ(readFix(position("unknown")).rejection, "no transform from 'unknown'");
+  EXPECT_EQ(readFix(position("")).rejection, "no frame_id");
   const auto without = position("mounted");
   without->status.status = sensor_msgs::NavSatStatus::STATUS_NO_FIX;
   EXPECT_EQ(readFix(without).rejection, "no fix");
@@ -205,7 +210,7 @@ TEST(MotionReader, PositionsThatAreNoneAreNamed) {
   GnssConfig far;
   far.antenna = "4000 5000 0";
   EXPECT_EQ(readFix(position("mounted"), far).rejection,
-            "an antenna more than 100 m from the base frame: a wrong transform");
+            "more than 100 m from the base frame: a wrong transform");
   const auto without_stamp = position("mounted");
   without_stamp->header.stamp = ros::Time();
   EXPECT_EQ(readFix(without_stamp).rejection, "no stamp");

@@ -14,7 +14,7 @@ namespace revisit_slam {
 /// is none. From the same process clouds come as they are, without a copy.
 ros::Subscriber subscribeToClouds(
     ros::NodeHandle& node, const std::string& topic,
-    const std::function<void(const sensor_msgs::PointCloud2::ConstPtr&)>& on_cloud,
+    const std::function<void(const ros::MessageEvent<const sensor_msgs::PointCloud2>&)>& on_cloud,
     const std::function<void(const std::string&)>& on_damaged);
 
 }  // namespace revisit_slam

@@ -35,6 +35,9 @@ class SensorPlacement {
     return lookUp(withoutLeadingSlash(sensor_frame)).has_value();
   }
 
+  /// The frame in which TF places the base, unless it is `own_parent`; empty: none.
+  std::string parentOfBase(const std::string& own_parent) const;
+
   /// That of the poses; empty before the first scan where it was given empty.
   const std::string& baseFrame() const { return base_frame_; }
 
