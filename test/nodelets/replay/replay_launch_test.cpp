@@ -30,5 +30,20 @@ TEST(ReplayLaunch, mapsEveryScanOfABagWithParametersFromAFile) {
   EXPECT_EQ(base_frame, "");
 }
 
+/// What a file of parameters names is played, and looked at, too.
+TEST(ReplayLaunch, topicsAndFramesOfAFileOfParametersAreThoseThatArePlayed) {
+  const TemporaryFolder folder;
+  const Drive drive = driveInRoom(20);
+  writeScanBag(folder.file("drive.bag"), toClouds(drive), "/roof/points");
+  folder.with("robot.yaml",
+              "input: {topics: /roof/points}\nframes: {base: lidar}\n"
+              "odometry: {max_range: 60.0}\nlive: {diagnostics_period: 0.2}\n");
+  const OdometryListener listener;
+  ChildProcess launch({"roslaunch", "revisit_slam", "replay.launch", "bag:=drive.bag",
+                       "params:=robot.yaml", "rate:=2"},
+                      folder.file(""));
+  EXPECT_TRUE(listener.diagnoses("scans processed", 20)) << launch.output() << listener.message();
+}
+
 }  // namespace
 }  // namespace revisit_slam
