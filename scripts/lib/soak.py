@@ -27,11 +27,13 @@ from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.msg import Config, DoubleParameter
 from dynamic_reconfigure.srv import Reconfigure
 from sensor_msgs.msg import PointCloud2
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 SCANS_IN_A_BLOCK = 100
 SCANS_IN_AN_HOUR = 36000
 PHASES = ("sessions", "laps", "rest")  # of the life of a process, which ends with a kill
+SCANS_OF_RECOVERY = 20  # in two seconds
 PATIENCE = 120.0  # s, for what was sent to be accounted for
 
 
@@ -143,6 +145,7 @@ class Soak:
         self.folder.mkdir(parents=True)
         self.counts: Counter = Counter()
         self.lost_scans = 0
+        self.verdict = ""
         self.sent = 0  # since the account began
         self.memory: List[List[float]] = []  # hours of the drive, MB; since the phase began
         self.slopes: Dict[str, List[float]] = {phase: [] for phase in PHASES}  # MB an hour
@@ -183,6 +186,9 @@ class Soak:
         for service in ("/odometry/reset", "/back_end/save", "/back_end/finish"):
             rospy.wait_for_service(service, PATIENCE)
         self.wait(lambda: bool(self.odometry.values), "diagnostics")
+
+    def take_verdict(self, verdict: String) -> None:
+        self.verdict = verdict.data
 
     def manager(self) -> int:
         node = rosgraph.Master("/soak").lookupNode("/revisit_slam_manager")
@@ -261,8 +267,18 @@ class Soak:
         self.send(scan[: self.random.randrange(16, len(scan))])
 
     def overload(self) -> None:
+        """Two seconds of driving later the poses are good again."""
         for _ in range(300):
             self.send(self.drive.skip(), at_once=True)
+        self.settle()
+        for _ in range(SCANS_OF_RECOVERY):
+            self.send(self.drive.skip())
+        self.settle()
+        self.send(self.drive.skip())
+        self.settle()
+        if self.verdict not in ("good", "weak"):
+            self.counts["times not recovered"] += 1
+            print(f"{self.verdict} 2 s after an overload", flush=True)
 
     def outage(self) -> None:
         self.drive.nanoseconds += self.random.randint(1, 60) * 10**9
@@ -359,6 +375,7 @@ class Soak:
         rospy.init_node("soak", anonymous=True, disable_signals=True, log_level=rospy.FATAL)
         self.odometry = Odometry()
         self.publisher = rospy.Publisher("/points", PointCloud2, queue_size=10000)
+        rospy.Subscriber("/pose_verdict", String, self.take_verdict)
         self.start()
 
     def run(self) -> int:
@@ -393,12 +410,13 @@ class Soak:
         print(f"memory                {self.peak:.0f} MB at most")
         print(f"p99 of a scan         {first:.1f} -> {last:.1f} ms")
         print(f"never caught up       {self.counts['times behind']} times")
+        print(f"not good after 2 s    {self.counts['times not recovered']} of {self.counts['overload']} overloads")
         print(f"sessions              {self.counts['sessions checked']} checked, {broken} broken")
         happened = {k: v for k, v in self.counts.items() if " " not in k}
         print("events                " + ", ".join(f"{k} {v}" for k, v in sorted(happened.items())))
         for message, count in self.odometry.errors.most_common(5):
             print(f"diagnosed {count} times   {message}")
-        return 1 if self.lost_scans or broken else 0
+        return 1 if self.lost_scans or broken or self.counts["times not recovered"] else 0
 
     def stop(self) -> None:
         for process in (self.slam, self.master):
