@@ -36,6 +36,14 @@ json toJson(const std::map<std::string, PriorAccount>& priors) {
   return all;
 }
 
+json toJson(const std::map<std::string, SensorAccount>& lidars) {
+  json all = json::object();
+  for (const auto& [topic, account] : lidars)
+    all[topic] = {{"messages", account.messages},
+                  {"points", {{"used", account.points}, {"dropped", account.points_dropped}}}};
+  return all;
+}
+
 void add(const InputSummary& input, json& run) {
   const ScanAccount& account = input.account;
   run["scans"]["received"] = account.received;
@@ -44,6 +52,7 @@ void add(const InputSummary& input, json& run) {
   run["scans"]["dropped"] = account.dropped;
   run["points"] = {{"received", account.points_received}, {"dropped", account.points_dropped}};
   run["priors"] = toJson(input.priors);
+  if (!input.lidars.empty()) run["lidars"] = toJson(input.lidars);
   run["time_source"] = input.time_source;
 }
 

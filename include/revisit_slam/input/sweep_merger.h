@@ -11,16 +11,9 @@
 
 #include "revisit_slam/input/scan_input_config.h"
 #include "revisit_slam/input/scan_reading.h"
+#include "revisit_slam/types/sensor_account.h"
 
 namespace revisit_slam {
-
-/// What became of the messages and points of one of several sensors.
-struct SensorAccount {
-  std::size_t messages = 0;
-  std::size_t points = 0;                             ///< that went into sweeps
-  std::map<std::string, std::size_t> points_dropped;  ///< by reason
-  bool is_silent = false;                             ///< sweeps do not wait for it
-};
 
 /// Makes one sweep of what several sensors saw in the same time: windows of one length, on a grid
 /// of absolute time, each with all points whose times are in it. So sensors may have any rates and

@@ -10,6 +10,7 @@
 #include "revisit_slam/priors/prior_account.h"
 #include "revisit_slam/types/pose_verdict.h"
 #include "revisit_slam/types/scan_account.h"
+#include "revisit_slam/types/sensor_account.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
@@ -17,7 +18,8 @@ namespace revisit_slam {
 /// What became of everything that came in.
 struct InputSummary {
   ScanAccount account;
-  std::map<std::string, PriorAccount> priors;  ///< by sensor
+  std::map<std::string, PriorAccount> priors;   ///< by sensor
+  std::map<std::string, SensorAccount> lidars;  ///< by topic, where several are merged
   std::string time_source;
 };
 

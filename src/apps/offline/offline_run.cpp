@@ -291,7 +291,8 @@ void OfflineRun::writeResults() {
   for (const StageTimes& times : background_times_) folder_.log().addTimes(times);
   RunSummary summary;
   summary.parameters = parametersOf(config_);
-  summary.input = {account, slam_.sensorAccounts(), readers_.front().description()};
+  summary.input = {account, slam_.sensorAccounts(), slam_.lidarAccounts(),
+                   readers_.front().description()};
   summary.interrupted = interruption() != 0;
   summary.topic = source_->description();
   summary.tracked_frame = tracked_frame_;
