@@ -15,20 +15,25 @@ namespace {
 
 struct Kind {
   const char* file;
-  const char* begins;  // a file of records; empty: of bytes
+  const char* begins = "";  // a file of records; empty: of bytes
+  std::uint32_t version = 1;
+  const char* seed = file;  // of the good session
 };
-const Kind kKinds[] = {{"session.yaml", ""},
-                       {"graph.log", ""},
+const Kind kKinds[] = {{"session.yaml"},
+                       {"graph.log"},
                        {"graph.log", "RSGRAPH\n"},
-                       {"submaps/000000.rsm", ""},
+                       {"submaps/000000.rsm"},
                        {"submaps/000000.rsm", "RSSUBMAP"},
-                       {"local_maps/0000.rsm", ""},
-                       {"local_maps/0000.rsm", "RSLOCMAP"}};
+                       {"local_maps/0000.rsm"},
+                       {"local_maps/0000.rsm", "RSLOCMAP"},
+                       {"optimisations.log", "", 1, "graph.log"},
+                       {"optimisations.log", "RSGRAPH\n", 1, "graph.log"},
+                       {"submaps/000000.rsm", "RSSUBMAP", 2}};
 
 constexpr const char* kGood = REVISIT_SLAM_SOURCE_FOLDER "/test/session/format_1";
 
-std::string fileOfRecords(const std::string& begins, const std::string& bytes) {
-  std::string file = recordFileHeader(begins, 1);
+std::string fileOfRecords(const Kind& kind, const std::string& bytes) {
+  std::string file = recordFileHeader(kind.begins, kind.version);
   for (std::size_t i = 0; i + 3 <= bytes.size();) {
     const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
     const std::size_t length = byte(0) + 256u * byte(1);
@@ -38,14 +43,21 @@ std::string fileOfRecords(const std::string& begins, const std::string& bytes) {
   return file;
 }
 
-std::string recordsOf(const std::string& path, const std::string& begins) {
+std::string bytesOf(const Record& record) {
   std::string bytes;
-  for (const Record& record : readRecordFile(path, begins, 1).records) {
-    bytes += static_cast<char>(record.payload.size() % 256);
-    bytes += static_cast<char>(record.payload.size() / 256);
-    bytes += static_cast<char>(record.type) + record.payload;
-  }
-  return bytes;
+  bytes += static_cast<char>(record.payload.size() % 256);
+  bytes += static_cast<char>(record.payload.size() / 256);
+  return bytes + static_cast<char>(record.type) + record.payload;
+}
+
+std::string recordsOf(const std::string& path, const Kind& kind) {
+  std::string bytes;
+  for (const Record& record : readRecordFile(path, kind.begins, 1).records)
+    bytes += bytesOf(record);
+  if (kind.version == 1) return bytes;
+  // What the good session is too old for: when points were seen, and how bright they were.
+  bytes += bytesOf({static_cast<std::uint32_t>(SubmapRecord::sightings), std::string(4, '\0')});
+  return bytes + bytesOf({static_cast<std::uint32_t>(SubmapRecord::intensities), ""});
 }
 
 }  // namespace
@@ -59,7 +71,7 @@ void readSessionFiles(const std::string& bytes) {
   std::filesystem::copy(kGood, folder, std::filesystem::copy_options::recursive);
   const std::string begins = kind.begins, rest = bytes.substr(1);
   scratch.with(std::string("session/") + kind.file,
-               begins.empty() ? rest : fileOfRecords(begins, rest));
+               begins.empty() ? rest : fileOfRecords(kind, rest));
   const bool of_local_map = std::string(kind.file).rfind("local_maps", 0) == 0;
   if (of_local_map) readLocalMap(localMapFile(folder, LocalMapId{0}));
   if (of_local_map) return;
@@ -67,15 +79,17 @@ void readSessionFiles(const std::string& bytes) {
   const Session session = readSession(folder, notices);
   readSubmap(submapFile(folder, SubmapId{0}),
              {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
-  exportSession(session, scratch.file("out"));
+  ExportConfig config;
+  config.remove_dynamic = true;
+  exportSession(session, scratch.file("out"), config);
 }
 
 Seeds seedsOfSession() {
   Seeds seeds;
   for (const Kind& kind : kKinds) {
-    const std::string path = std::string(kGood) + "/" + kind.file, begins = kind.begins;
+    const std::string path = std::string(kGood) + "/" + kind.seed, begins = kind.begins;
     seeds.push_back(std::string(1, static_cast<char>(seeds.size())) +
-                    (begins.empty() ? bytesOfFile(path) : recordsOf(path, begins)));
+                    (begins.empty() ? bytesOfFile(path) : recordsOf(path, kind)));
   }
   return seeds;
 }
