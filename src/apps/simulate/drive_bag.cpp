@@ -62,10 +62,10 @@ class FurtherSensorsWriter {
       const Stamp begin = first.plusSeconds(std::fmod(phase * static_cast<double>(i + 1), 0.1));
       if (isLost(o_, number, secondsBetween(start_, begin))) continue;
       CloudWriter writer(simulators_[i]->sensor(), !o_.no_times, o_.with_labels);
+      const SimulatedScan scan = simulators_[i]->simulate(begin);
       const auto cloud =
-          writer.write(simulators_[i]->simulate(begin), static_cast<std::uint32_t>(index),
-                       "lidar_" + std::to_string(number));
-      bag_.write("/points_" + std::to_string(number), cloud.header.stamp, cloud);
+          writer.write(scan, static_cast<std::uint32_t>(index), "lidar_" + std::to_string(number));
+      bag_.write("/points_" + std::to_string(number), toRosTime(scan.scan.stamp), cloud);
     }
   }
 
@@ -100,11 +100,12 @@ Summary writeBag(const Options& o, const World& world, const Route& route,
   Summary summary;
   const auto record = [&](int index, const SimulatedScan& scan) {
     const auto cloud = writer.write(scan, static_cast<std::uint32_t>(index));
-    wheels.writeUntil(scan.first);
-    imu.writeUntil(scan.first);
-    gnss.writeUntil(scan.first);
+    const Stamp last = scan.scan.stamp;  // before which the sensor cannot send it
+    wheels.writeUntil(last);
+    imu.writeUntil(last);
+    gnss.writeUntil(last);
     if (!isLost(o, 1, secondsBetween(route.start(), scan.first)))
-      bag.write("/points", cloud.header.stamp, cloud);
+      bag.write("/points", toRosTime(last), cloud);
     further.write(index, scan.first);
     summary.last_points.push_back(scan.scan.stamp);
     summary.points += cloud.width;
