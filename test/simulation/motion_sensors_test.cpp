@@ -72,6 +72,56 @@ TEST(MotionSensors, AnImuWithoutErrorsMeasuresTheMotion) {
   EXPECT_LT(integrated.angularDistance(T_map_last.rotation), 2e-3);
 }
 
+/// Twice integrated the accelerations are where the unit went, turned and off the middle.
+TEST(MotionSensors, AccelerationsAreThoseOfTheUnitAndOfGravity) {
+  const Route route = townRoute();
+  ImuConfig config;
+  config.acceleration_noise = config.acceleration_bias = 0.0;
+  config.T_base_imu = {expSO3({0.1, -0.2, 0.5 * M_PI}), {1.5, 0.4, 0.8}};
+  const Stamp begin = route.start().plusSeconds(5.0);
+  const std::vector<ImuSample> samples = simulateImu(route, begin.plusSeconds(8.0), config);
+  const auto positionAt = [&](Stamp stamp) -> Eigen::Vector3d {
+    return route.poseAt(stamp) * config.T_base_imu.translation;
+  };
+  const double h = 0.01;
+  Eigen::Vector3d position = positionAt(begin);
+  Eigen::Vector3d velocity =
+      (positionAt(begin.plusSeconds(h)) - positionAt(begin.plusSeconds(-h))) / (2.0 * h);
+  double greatest = 0.0;
+  const double step = 1.0 / config.rate;
+  for (const ImuSample& sample : samples) {
+    if (sample.stamp < begin) continue;
+    const Pose T_map_imu = route.poseAt(sample.stamp) * config.T_base_imu;
+    const Eigen::Vector3d acceleration =
+        T_map_imu.rotation * sample.acceleration_imu - Eigen::Vector3d(0.0, 0.0, 9.81);
+    EXPECT_LT((position - T_map_imu.translation).norm(), 0.05);
+    greatest = std::max(greatest, acceleration.norm());
+    position += step * velocity + 0.5 * step * step * acceleration;
+    velocity += step * acceleration;
+  }
+  EXPECT_GT(greatest, 0.5);
+}
+
+TEST(MotionSensors, NoiseIsAsLargeAsItIsSaidToBe) {
+  const Route route = townRoute();
+  ImuConfig perfect, noisy;
+  perfect.gyro_noise = perfect.gyro_bias = perfect.gyro_bias_walk = 0.0;
+  perfect.acceleration_noise = perfect.acceleration_bias = 0.0;
+  noisy = perfect;
+  noisy.gyro_noise = 0.05;
+  noisy.acceleration_noise = 0.02;
+  const Stamp end = route.start().plusSeconds(20.0);
+  const auto truth = simulateImu(route, end, perfect), samples = simulateImu(route, end, noisy);
+  double turn = 0.0, force = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    turn += (samples[i].turn_rate_imu - truth[i].turn_rate_imu).squaredNorm();
+    force += (samples[i].acceleration_imu - truth[i].acceleration_imu).squaredNorm();
+  }
+  const double axes = 3.0 * static_cast<double>(samples.size()), root = std::sqrt(noisy.rate);
+  EXPECT_NEAR(std::sqrt(turn / axes) / root, 0.05 * M_PI / 180.0, 0.05 * 0.05 * M_PI / 180.0);
+  EXPECT_NEAR(std::sqrt(force / axes) / root, 0.02, 0.05 * 0.02);
+}
+
 TEST(MotionSensors, TheSameSeedGivesTheSameReadingsAndAnotherOnesDoNot) {
   const Route route = townRoute();
   const Stamp end = route.start().plusSeconds(1.0);
