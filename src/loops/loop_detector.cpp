@@ -3,10 +3,20 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace revisit_slam {
 namespace {
+
+/// Two maps with so many partners in common are tied on several ways, which would not agree were
+/// one of them wrong.
+constexpr std::size_t kCommonPartners = 3;
+
+std::size_t inCommon(const std::set<LocalMapId>& a, const std::set<LocalMapId>& b) {
+  return static_cast<std::size_t>(
+      std::count_if(a.begin(), a.end(), [&](LocalMapId map) { return b.count(map) > 0; }));
+}
 
 RetroactiveConfig searchConfig(const LoopsConfig& loops, RetroactiveConfig retroactive) {
   retroactive.enabled = retroactive.enabled && loops.enabled;
@@ -216,8 +226,8 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
       retroactive_.search(maps_, T_map_scan, searched_, n, closed_);
   const auto is_left_out = [&](const RetroactiveCandidate& candidate) {
     const auto& [source, target] = candidate.maps;
-    return tried.has(candidate.maps) || areWellTied(candidate.maps) ||
-           !groups_.areTied(source.session, target.session);
+    return tried.has(candidate.maps) || !groups_.areTied(source.session, target.session) ||
+           areWellTied(candidate.maps);
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
@@ -230,14 +240,14 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
   return done == candidates.size();
 }
 
-/// Both, by loops with others: one more tells hardly anything. Over laps of one place the pairs
-/// would grow with the square of the laps.
+/// Both, by loops with others, and so with each other: one more tells hardly anything. Over laps of
+/// one place the pairs would grow with the square of the laps.
 bool LoopDetector::areWellTied(const LocalMapPair& maps) const {
-  const auto is_well_tied = [&](LocalMapId map) {
-    const auto entry = partners_.find(map);
-    return entry != partners_.end() && entry->second >= max_partners_;
-  };
-  return is_well_tied(maps.first) && is_well_tied(maps.second);
+  const auto first = partners_.find(maps.first), second = partners_.find(maps.second);
+  if (first == partners_.end() || second == partners_.end()) return false;
+  const auto enough = static_cast<std::size_t>(max_partners_);
+  return first->second.size() >= enough && second->second.size() >= enough &&
+         inCommon(first->second, second->second) >= std::min(enough, kCommonPartners);
 }
 
 void LoopDetector::forgetChanged(TriedPairs& tried) const {
@@ -299,8 +309,8 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
   partners_.clear();
   for (const auto& [source, target] : closed_) {
     if (source == target) continue;
-    ++partners_[source];
-    ++partners_[target];
+    partners_[source].insert(target);
+    partners_[target].insert(source);
   }
   const SessionGroups groups(correction->loops);
   if (!is_first) searchAgainWhatWasJoined(groups);

@@ -108,9 +108,9 @@ class LoopDetector {
   SessionGroups groups_;                   // as the graph ties the sessions
   MapCorrectionPtr correction_;            // the newest; null: none yet
   std::set<LocalMapPair> closed_;          // by the graph
-  std::map<LocalMapId, int> partners_;     // in closed_, other maps than itself
-  TriedPairs tried_;                       // after the window was last searched to its end
-  std::optional<LocalMapId> searched_;     // p: up to it all maps were searched retroactively
+  std::map<LocalMapId, std::set<LocalMapId>> partners_;  // in closed_, other maps than itself
+  TriedPairs tried_;                    // after the window was last searched to its end
+  std::optional<LocalMapId> searched_;  // p: up to it all maps were searched retroactively
 };
 
 }  // namespace revisit_slam
