@@ -170,8 +170,8 @@ void LocalVoxelMap::addFreeBlock() {
   voxels_.resize(blocks);
   moments_.resize(has_shapes_ ? blocks : 0);
   shapes_.resize(moments_.size());
-  free_blocks_.push_back(static_cast<BlockIndex>(blocks - 1));
   sizes_.push_back(0);
+  free_blocks_.push_back(static_cast<BlockIndex>(blocks - 1));
 }
 
 bool LocalVoxelMap::insertIntoBlock(BlockIndex block, const Eigen::Vector3f& point_voxel) {
