@@ -4,10 +4,18 @@
 #include <algorithm>
 
 namespace revisit_slam {
+namespace {
+
+/// 1/m^2, of a position: with less, as of a gyro alone, a scan does not tell of the motion.
+constexpr double kLeastInformation = 1.0;
+
+}  // namespace
 
 PredictedMotion ConstantVelocityPredictor::predict(Stamp stamp) const {
   PredictedMotion predicted;
   predicted.seconds = observed_ == 0 ? 0.0 : secondsBetween(previous_stamp_, stamp);
+  predicted.seconds_untold = untold() + predicted.seconds;
+  predicted.extrapolated = std::min(untold(), max_prediction_time_);
   predicted.is_after_gap = predicted.seconds > longestExtrapolation();
   predicted.is_known = observed_ > 1 && !predicted.is_after_gap;
   predicted.velocity = motion_;
@@ -16,8 +24,13 @@ PredictedMotion ConstantVelocityPredictor::predict(Stamp stamp) const {
   return predicted;
 }
 
+/// s, from the last scan that told of the motion to the last one.
+double ConstantVelocityPredictor::untold() const {
+  return observed_ == 0 ? 0.0 : secondsBetween(told_stamp_, previous_stamp_);
+}
+
 double ConstantVelocityPredictor::longestExtrapolation() const {
-  return std::max(0.0, max_prediction_time_ - untold_);
+  return std::max(0.0, max_prediction_time_ - untold());
 }
 
 /// After a gap the way that was not extrapolated may be missing as well.
@@ -32,15 +45,18 @@ void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
                                         const Matrix6& information) {
   const PredictedMotion predicted = predict(stamp);
   const Pose T_previous_base = T_odom_previous_.inverse() * T_odom_base;
+  const bool is_told = information.topLeftCorner<3, 3>().trace() > kLeastInformation;
   if (predicted.is_known)
     filter_.update(predicted.T_previous_base, predicted.seconds,
                    log(predicted.T_previous_base.inverse() * T_previous_base), information);
   else if (observed_ > 0)
-    filter_.start(predicted.seconds, information);
-  const bool is_told = !information.isZero();
-  if (observed_ > 0 && (is_told || !predicted.is_after_gap))
-    motion_ = ConstantMotion(log(T_previous_base) / predicted.seconds);
-  untold_ = is_told || observed_ == 0 ? 0.0 : untold_ + predicted.seconds;
+    filter_.start(predicted.seconds_untold, information);
+  if (observed_ > 0 && is_told)
+    motion_ = ConstantMotion(log(T_odom_told_.inverse() * T_odom_base) / predicted.seconds_untold);
+  if (observed_ == 0 || is_told) {
+    told_stamp_ = stamp;
+    T_odom_told_ = T_odom_base;
+  }
   T_odom_previous_ = T_odom_base;
   previous_stamp_ = stamp;
   observed_ = std::min(observed_ + 1, 2);
@@ -48,7 +64,6 @@ void ConstantVelocityPredictor::observe(Stamp stamp, const Pose& T_odom_base,
 
 void ConstantVelocityPredictor::forget() {
   observed_ = 0;
-  untold_ = 0.0;
   motion_ = ConstantMotion();
   filter_ = VelocityFilter();
 }

@@ -18,10 +18,11 @@ constexpr double kTurns[] = {0.0, 0.26, -0.26, 0.52, -0.52, 0.79, -0.79};  // ra
 
 std::vector<Pose> recoveryGuesses(const PredictedMotion& predicted) {
   std::vector<Pose> guesses;
-  const double way = predicted.velocity.velocity().head<3>().norm() * predicted.seconds;
+  const double way = predicted.velocity.velocity().head<3>().norm() * predicted.seconds_untold;
   for (const double share : kWays) {
     if (share * way > kFarthest) continue;
-    const Pose moved = predicted.velocity.after(share * predicted.seconds);
+    const Pose moved =
+        predicted.velocity.after(share * predicted.seconds_untold - predicted.extrapolated);
     for (const double turn : kTurns)
       guesses.push_back(moved * Pose{expSO3({0.0, 0.0, turn}), Eigen::Vector3d::Zero()});
     if (way < kBasin) break;

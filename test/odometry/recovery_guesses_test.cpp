@@ -13,7 +13,7 @@ PredictedMotion ahead(double speed, double seconds) {
   velocity[0] = speed;
   PredictedMotion predicted;
   predicted.velocity = ConstantMotion(velocity);
-  predicted.seconds = seconds;
+  predicted.seconds = predicted.seconds_untold = seconds;
   return predicted;
 }
 
@@ -29,6 +29,15 @@ TEST(RecoveryGuesses, reachAllThatABaseDoesInAGap) {
   const std::vector<Pose> guesses = recoveryGuesses(ahead(10.0, 2.0));
   for (const double x : {0.0, 8.0, 20.0, 32.0})  // stopped, braked, went on, sped up
     for (const double turn : {-0.8, 0.0, 0.4}) EXPECT_TRUE(hasOneNear(guesses, x, turn)) << x;
+}
+
+/// Behind it the scans were moved on for a second of them.
+TEST(RecoveryGuesses, reachAllThatABaseDoesWhileItsSensorIsCovered) {
+  PredictedMotion predicted = ahead(10.0, 0.1);
+  predicted.seconds_untold = 3.0;
+  predicted.extrapolated = 1.0;
+  const std::vector<Pose> guesses = recoveryGuesses(predicted);
+  for (const double x : {-10.0, 5.0, 20.0, 35.0}) EXPECT_TRUE(hasOneNear(guesses, x, 0.0)) << x;
 }
 
 TEST(RecoveryGuesses, areTurnedAloneWhereTheWayIsShort) {

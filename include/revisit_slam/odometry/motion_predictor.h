@@ -29,8 +29,11 @@ struct PredictedMotion {
   /// Whether motion was seen before, and lately: what the prediction misses then says something
   /// about the motion. False at the first two scans and after a long gap.
   bool is_known = false;
-  /// Too long since the previous scan that told of the motion to extrapolate all of it.
+  /// Too long since the last scan that told of the motion to extrapolate all of it.
   bool is_after_gap = false;
+  /// From the last scan that told of the motion, and for how much of it the scans since have been
+  /// moved on; without such scans `seconds` and 0.
+  double seconds_untold = 0.0, extrapolated = 0.0;
   /// By wheels, for one: what it misses is not an error of extrapolation.
   bool is_measured = false;
   /// By which it is then weighed beside the registration: more than the inverse of `covariance`, as
@@ -76,13 +79,13 @@ class ConstantVelocityPredictor final : public MotionPredictor {
 
  private:
   Matrix6 covarianceOf(const PredictedMotion& predicted) const;
+  double untold() const;
   double longestExtrapolation() const;
 
   double max_prediction_time_ = 0.0;  // s
-  double untold_ = 0.0;               // s, since a scan told of the motion
   int observed_ = 0;                  // up to 2
-  Stamp previous_stamp_;
-  Pose T_odom_previous_;
+  Stamp previous_stamp_, told_stamp_;
+  Pose T_odom_previous_, T_odom_told_;  // at the last scan, and at the last that told of the motion
   ConstantMotion motion_;
   VelocityFilter filter_;
 };
