@@ -28,33 +28,38 @@ bool FitJudge::isSettled() const {
 }
 
 double FitJudge::leastOfGood() const {
-  if (!isSettled()) return kNoFit;
-  const double sudden = usual_ - kSudden * std::max(deviation_, kLeastDeviation);
-  return std::max({kNoFit, config_.good * usual_, sudden});
+  if (!isSettled()) return 0.0;
+  const double sudden = usual_.explained - kSudden * std::max(deviation_, kLeastDeviation);
+  return std::max(config_.good * usual_.explained, sudden);
 }
 
-PoseVerdict FitJudge::judge(double explained, std::size_t points, double jump) const {
+/// Lost where neither what is in one place alone nor the rest fits as usual: who comes from a
+/// street to a field has less of the former.
+PoseVerdict FitJudge::judge(const Fit& fit, std::size_t points, double jump) const {
   const bool has_map = scans_ > 0;
   if (!has_map || config_.good == 0.0) return PoseVerdict::good;
-  const bool has_jumped = config_.jump > 0.0 && jump > config_.jump;
-  if (explained >= leastOfGood()) return has_jumped ? PoseVerdict::poor : PoseVerdict::good;
-  const double lost = isSettled() ? config_.lost * usual_ : 0.0;
-  return explained < lost && points >= kTellingPoints ? PoseVerdict::lost : PoseVerdict::poor;
+  const bool fits = fit.anywhere >= kNoFit && fit.explained >= leastOfGood();
+  if (fits) return hasJumped(jump) ? PoseVerdict::poor : PoseVerdict::good;
+  const bool is_lost = isSettled() && fit.explained < config_.lost * usual_.explained &&
+                       fit.anywhere < config_.good * usual_.anywhere;
+  return is_lost && points >= kTellingPoints ? PoseVerdict::lost : PoseVerdict::poor;
 }
 
 bool FitJudge::isUsual(double explained) const {
-  return explained >= config_.good * usual_;
+  return explained >= config_.good * usual_.explained;
 }
 
-/// Poor ones count less: where surroundings have changed they become what is usual.
-void FitJudge::observe(double explained, PoseVerdict verdict) {
+/// Poor ones, and such as fit worse, count less: where surroundings have changed they become what
+/// is usual, but not at once.
+void FitJudge::observe(const Fit& fit, PoseVerdict verdict) {
   ++scans_;
   if (scans_ == 1) return;
-  const bool is_worse = verdict != PoseVerdict::good || explained < usual_;
+  const bool is_worse = verdict != PoseVerdict::good || fit.explained < usual_.explained;
   const double weight = is_worse ? 0.2 * kNewest : kNewest;
   const double share = std::max(weight, isSettled() ? 0.0 : 1.0 / (scans_ - 1));
-  if (scans_ > 2) deviation_ += share * (std::abs(explained - usual_) - deviation_);
-  usual_ += share * (explained - usual_);
+  if (scans_ > 2) deviation_ += share * (std::abs(fit.explained - usual_.explained) - deviation_);
+  usual_.explained += share * (fit.explained - usual_.explained);
+  usual_.anywhere += share * (fit.anywhere - usual_.anywhere);
 }
 
 }  // namespace revisit_slam

@@ -58,12 +58,20 @@ double medianRange(const Points& points_base, const Eigen::Vector3d& sensor_base
   return *middle;
 }
 
+/// What any platform may do between two scans however steadily it moved or rested before: braking,
+/// being picked up.
+constexpr double kSuddenAcceleration = 5.0;         // m/s^2
+constexpr double kSuddenAngularAcceleration = 1.0;  // rad/s^2
+
 /// See RegisteredScan::jump. After a gap the motion may have become any other.
 double jumpOf(const PredictedMotion& predicted, const Tangent& deviation,
               const Matrix6& information) {
   if (!predicted.covariance || predicted.is_after_gap || information.isZero()) return 0.0;
-  const Matrix6 covariance =
+  Matrix6 covariance =
       *predicted.covariance + (information + Matrix6::Identity() / kUnmeasured).inverse();
+  const double squared = predicted.seconds * predicted.seconds;
+  covariance.diagonal().head<3>().array() += std::pow(kSuddenAcceleration * squared, 2);
+  covariance.diagonal().tail<3>().array() += std::pow(kSuddenAngularAcceleration * squared, 2);
   double largest = 0.0;
   for (const Eigen::Index first : {0, 3}) {
     const Eigen::Vector3d d = deviation.segment<3>(first);
@@ -157,15 +165,17 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.registration = registration_.align(registered.source_base, source_sweep_fractions_,
                                                 map_, prediction, registered.sigma, rings);
   recover(predicted, rings, registered);
-  registered.jump =
-      jumpOf(predicted, log(T_odom_predicted.inverse() * registered.registration.T_odom_base),
-             registered.registration.information);
+  const Tangent jumped = log(T_odom_predicted.inverse() * registered.registration.T_odom_base);
+  registered.jump = jumpOf(predicted, jumped, registered.registration.information);
   registered.verdict = verdictOn(registered);
+  if (fit_.hasJumped(registered.jump))  // prediction or pose is as wrong as they differ
+    registered.prior_information = (*predicted.covariance + jumped * jumped.transpose()).inverse();
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
   registered.T_odom_base = registered.registration.T_odom_base;
   const bool begins_map = scans_ == 0 || registered.verdict == PoseVerdict::lost;
   if (scans_of_map_ == 1 && !begins_map && !predicted.is_after_gap)
     startAgain(scan, predicted.seconds, registered);
+  first_scan_.reset();
   if (begins_map && registered.deskewed && config_.redo_first_scans) first_scan_ = scan;
   const Pose deviation = T_odom_predicted.inverse() * registered.T_odom_base;
   registered.deskew_error = log(deviation) - registered.registration.deskew_correction;
@@ -179,7 +189,7 @@ OdometryResult Odometry::align(const Scan& scan) {
               deviation,
               registered.registration.information,
               !predicted.is_after_gap && !predicted.is_measured,
-              registered.registration.explained,
+              fitOf(registered.registration),
               registered.registration.sees_motion,
               registered.verdict,
               medianRange(registered.source_base, registered.sensor_base)};
@@ -208,7 +218,7 @@ void Odometry::commit() {
   predictor_->observe(aligned.stamp, aligned.T_odom_base, aligned.information);
   T_odom_previous_ = aligned.T_odom_base;
   previous_stamp_ = aligned.stamp;
-  fit_.observe(aligned.explained, aligned.verdict);
+  fit_.observe(aligned.fit, aligned.verdict);
   ++scans_;
   ++scans_of_map_;
 }

@@ -84,8 +84,9 @@ WeighedPrediction weighed(const PosePrediction& predicted, bool deskewed, const 
   return {predicted.T_odom_base, weight};
 }
 
-double shareExplained(const NormalEquations& equations, std::size_t points) {
-  const double alike = (1.0 - kWeightOfAlike) * static_cast<double>(equations.explainedAnywhere());
+double shareExplained(const NormalEquations& equations, std::size_t points,
+                      double weight_of_alike) {
+  const double alike = (1.0 - weight_of_alike) * static_cast<double>(equations.explainedAnywhere());
   return (static_cast<double>(equations.explained()) - alike) /
          (static_cast<double>(points) - alike);
 }
@@ -145,7 +146,8 @@ RegistrationResult Registration::align(const Points& points_base,
       break;
     }
     result.rms_residual = equations.rms();
-    result.explained = shareExplained(equations, points_base.size());
+    result.explained = shareExplained(equations, points_base.size(), kWeightOfAlike);
+    result.explained_anywhere = shareExplained(equations, points_base.size(), 1.0);
     result.information = equations.H() / kMatchVariance;
     limit.update(equations);
     result.sees_motion = !limit.isNeeded();

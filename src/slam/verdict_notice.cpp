@@ -12,9 +12,12 @@ std::string VerdictNotice::take(const InformedScan& informed) {
     return "the scan does not fit the map: the pose is lost, a new voxel map begins";
   if (informed.verdict == before) return "";
   if (informed.verdict == PoseVerdict::poor) {
-    char share[32];
-    std::snprintf(share, sizeof(share), "%.0f %%", 100.0 * informed.scan->registration.explained);
-    return "the pose is poor: the map explains " + std::string(share) + " of the scan";
+    char text[160];
+    std::snprintf(text, sizeof(text),
+                  "the pose is poor: the map explains %.0f %% of the scan, and the pose is %.1f "
+                  "standard deviations from the prediction",
+                  100.0 * informed.scan->registration.explained, informed.scan->jump);
+    return text;
   }
   return before >= PoseVerdict::poor ? "the scans fit the map again" : "";
 }

@@ -9,6 +9,12 @@
 
 namespace revisit_slam {
 
+/// How a scan fits the map: RegistrationResult::explained, explained_anywhere.
+struct Fit {
+  double explained = 0.0;
+  double anywhere = 0.0;
+};
+
 /// Judges whether a scan fits the map by the share of its points that the map explains. How large
 /// that is depends on sensor, speed and surroundings; so it is compared with that of the scans
 /// before, and with how much that varied. ICP alone does not tell: it converges in wrong places
@@ -17,28 +23,30 @@ class FitJudge {
  public:
   explicit FitJudge(const FitConfig& config) : config_(config) {}
 
-  /// Good, poor or lost. `explained`: RegistrationResult::explained of `points` points. `jump`:
-  /// RegisteredScan::jump.
-  PoseVerdict judge(double explained, std::size_t points, double jump = 0.0) const;
+  /// Good, poor or lost, of a scan of `points` points. `jump`: RegisteredScan::jump.
+  PoseVerdict judge(const Fit& fit, std::size_t points, double jump = 0.0) const;
 
   /// Whether the map explains the share of it that it explains of others.
   bool isUsual(double explained) const;
 
+  /// Whether the pose is farther from the prediction than can be expected.
+  bool hasJumped(double jump) const { return config_.jump > 0.0 && jump > config_.jump; }
+
   /// Takes a scan that entered the map into what is usual.
-  void observe(double explained, PoseVerdict verdict);
+  void observe(const Fit& fit, PoseVerdict verdict);
 
   /// Whether scans enough have been seen for one to be usual.
   bool isSettled() const;
 
   /// What the map explains of a scan of late, 0 … 1.
-  double usual() const { return usual_; }
+  double usual() const { return usual_.explained; }
 
  private:
   double leastOfGood() const;
 
   FitConfig config_;
   std::uint32_t scans_ = 0;
-  double usual_ = 0.0;
+  Fit usual_;
   double deviation_ = 0.0;  // mean distance from it
 };
 

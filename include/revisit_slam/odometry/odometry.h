@@ -73,7 +73,7 @@ class Odometry {
     Pose deviation;       ///< T_predicted_base
     Matrix6 information;  ///< of the registration alone
     bool enters_threshold;
-    double explained;
+    Fit fit;
     bool sees_motion;
     PoseVerdict verdict;
     double reach;  ///< m, see VoxelScale
@@ -87,8 +87,11 @@ class Odometry {
   void downsample(RegisteredScan& registered);
   void recover(const PredictedMotion& predicted, const RingSpacing& rings,
                RegisteredScan& registered);
+  static Fit fitOf(const RegistrationResult& registration) {
+    return {registration.explained, registration.explained_anywhere};
+  }
   PoseVerdict verdictOn(const RegisteredScan& registered) const {
-    return fit_.judge(registered.registration.explained, registered.source_base.size(),
+    return fit_.judge(fitOf(registered.registration), registered.source_base.size(),
                       registered.jump);
   }
   void loseTrack(const PredictedMotion& predicted, RegisteredScan& registered) const;

@@ -90,7 +90,7 @@ struct AdaptiveThresholdConfig {
 struct FitConfig {
   double good = 0.6;
   double lost = 0.3;
-  double jump = 6.0;
+  double jump = 5.0;
 
   template <typename Visitor>
   void visit(Visitor& v) {

@@ -35,7 +35,8 @@ struct RegistrationResult {
   /// Share of the points that the map explains: with a residual of at most final_sigma, 0 … 1.
   /// Points that it explains on level ground, or on rings, fit at many places: they count a tenth.
   double explained = 0.0;
-  double rms_residual = 0.0;  ///< m, of the correspondences at the last iterate, |e| or |r|
+  double explained_anywhere = 0.0;  ///< the same with all points alike
+  double rms_residual = 0.0;        ///< m, of the correspondences at the last iterate, |e| or |r|
 };
 
 }  // namespace revisit_slam
