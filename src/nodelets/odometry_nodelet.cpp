@@ -39,6 +39,8 @@ class OdometryNodelet : public SlamNodelet {
   }
 
  private:
+  static constexpr std::uint32_t kScansPerCheck = 50;  // of TF
+
   struct Flush {};   // no further scan comes
   struct Motion {};  // look into the inbox, as before every other message
   using Message = std::variant<ArrivedScan, Flush, Motion>;
@@ -160,7 +162,7 @@ class OdometryNodelet : public SlamNodelet {
       NODELET_WARN_THROTTLE(5.0, "scan dropped: %s", result.rejection.c_str());
       return;
     }
-    if (result.output.scan->id.value == 0) checkBroadcast();
+    if (result.output.scan->id.value % kScansPerCheck == 0) checkBroadcast();
     topics_->publish(result.output, placement_->baseFrame());
     const RegistrationResult& registration = result.output.scan->registration;
     if (registration.outcome == RegistrationOutcome::too_few_correspondences)
@@ -168,11 +170,13 @@ class OdometryNodelet : public SlamNodelet {
                             registration.correspondences);
   }
 
-  /// Before the first broadcast: afterwards TF has our own.
+  /// Before the first broadcast, and now and then: afterwards TF has our own, and another's by
+  /// chance. Once is enough.
   void checkBroadcast() {
     const std::string fault = topics_->broadcastFault(*placement_);
-    if (!fault.empty()) NODELET_ERROR("%s", fault.c_str());
+    if (fault.empty()) return;
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (broadcast_fault_.empty()) NODELET_ERROR("%s", fault.c_str());
     broadcast_fault_ = fault;
   }
 
@@ -231,7 +235,8 @@ class OdometryNodelet : public SlamNodelet {
 
   /// What is held while no scan comes for a second has waited long enough for the next one.
   void flushWhereNoneComes() {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+    if (!lock) return;  // a scan is being registered
     const ros::WallTime now = ros::WallTime::now();
     const std::size_t received = stage_->account().received;
     if (std::exchange(received_before_, received) != received) received_at_ = now;

@@ -14,8 +14,8 @@ OdometryTopics::OdometryTopics(ros::NodeHandle& node, const SlamConfig& config)
     : odom_frame_(ownOdomFrame(config)), broadcasts_(config.live.broadcast_odom) {
   if (broadcasts_ && withoutLeadingSlash(config.priors.odometry_frame) == config.frames.odom)
     throw ParameterError("priors/odometry_frame '" + config.frames.odom +
-                         "' is the frame that this node broadcasts: set frames/odom to another "
-                         "name, or live/broadcast_odom to false");
+                         "' is the frame that this node broadcasts: set live/broadcast_odom to "
+                         "false");
   const std::string& topic = config.priors.odometry_topic;
   for (const char* own : {"odometry", "odometry_raw"})
     if (!topic.empty() && node.resolveName(topic) == node.resolveName(own))
