@@ -44,6 +44,7 @@ MapUpdate MapBuilder::take(ClosedMaps closed) {
   const DetailMap detail = std::exchange(detail_, DetailMap(detail_voxel_size_));
   update.detail_submap = detail.points();
   update.intensities = detail.intensities();
+  if (!update.intensities.empty()) update.intensities.resize(update.detail_submap.size());
   update.sightings = detail.sightings();
   if (with_occupancy_) update.occupancy = occupancy_.close();
   open_ = false;

@@ -274,14 +274,15 @@ class MapExport {
     return outputs;
   }
 
-  /// Whether the first submap of some session that can be read has intensities.
+  /// Whether the first or the last submap of some session has intensities: a sensor that has them
+  /// may have come in late.
   bool haveIntensities() {
-    std::set<SessionId> known;
-    for (const SubmapClosed& submap : session_.submaps) {
-      if (known.count(submap.id.session) > 0) continue;
-      const MapUpdate stored = read(submap, {SubmapRecord::intensities});
-      if (!stored.intensities.empty()) return true;
-      if (stored.submap) known.insert(submap.id.session);
+    const std::vector<SubmapClosed>& all = session_.submaps;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool is_first = i == 0 || all[i - 1].id.session != all[i].id.session;
+      const bool is_last = i + 1 == all.size() || all[i + 1].id.session != all[i].id.session;
+      if (!is_first && !is_last) continue;
+      if (!read(all[i], {SubmapRecord::intensities}).intensities.empty()) return true;
     }
     return false;
   }
