@@ -43,6 +43,12 @@ std::string fileOfRecords(const Kind& kind, const std::string& bytes) {
   return file;
 }
 
+/// Of a map of many kilometres the grid may take what its cells take: that is no finding.
+bool isSmall(const Session& session) {
+  return std::all_of(session.graph.T_map_scan.begin(), session.graph.T_map_scan.end(),
+                     [](const Pose& T) { return T.translation.cwiseAbs().maxCoeff() < 500.0; });
+}
+
 std::string bytesOf(const Record& record) {
   std::string bytes;
   bytes += static_cast<char>(record.payload.size() % 256);
@@ -81,6 +87,7 @@ void readSessionFiles(const std::string& bytes) {
              {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
   ExportConfig config;
   config.remove_dynamic = true;
+  config.occupancy = isSmall(session);
   exportSession(session, scratch.file("out"), config);
 }
 
