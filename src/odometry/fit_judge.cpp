@@ -45,8 +45,8 @@ PoseVerdict FitJudge::judge(const Fit& fit, std::size_t points, double jump) con
   return is_lost && points >= kTellingPoints ? PoseVerdict::lost : PoseVerdict::poor;
 }
 
-bool FitJudge::isUsual(double explained) const {
-  return explained >= config_.good * usual_.explained;
+bool FitJudge::isUsual(double anywhere) const {
+  return anywhere >= config_.good * usual_.anywhere;
 }
 
 /// Poor ones, and such as fit worse, count less: where surroundings have changed they become what

@@ -81,6 +81,12 @@ double jumpOf(const PredictedMotion& predicted, const Tangent& deviation,
   return std::sqrt(largest);
 }
 
+/// Of what is in one place alone, and not less of all: where little of the former is in view a
+/// wrong place may explain more of it.
+bool explainsMore(const RegistrationResult& a, const RegistrationResult& b) {
+  return a.explained > b.explained && a.explained_anywhere >= b.explained_anywhere;
+}
+
 /// Points that several sensors saw are on no common rings.
 RingSpacing ringsOf(const Scan& scan) {
   return scan.views.empty() ? RingSpacing(scan.points, scan.T_base_sensor) : RingSpacing();
@@ -295,7 +301,7 @@ void Odometry::downsample(RegisteredScan& registered) {
 void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& rings,
                        RegisteredScan& registered) {
   if (config_.fit.good == 0.0 || !fit_.isSettled()) return;
-  const auto fits = [&] { return fit_.isUsual(registered.registration.explained); };
+  const auto fits = [&] { return fit_.isUsual(registered.registration.explained_anywhere); };
   if (fits() && !predicted.is_after_gap) vain_recoveries_ = 0;
   if (fits() && !predicted.is_after_gap) return;
   const bool is_vain = vain_recoveries_ >= kMostVainRecoveries;
@@ -305,9 +311,9 @@ void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& ring
     const RegistrationResult other =
         guesses_.align(registered.source_base, {}, map_, T_odom_previous_ * T_previous_base,
                        config_.threshold.initial, rings);
-    if (other.explained > best.explained) best = other;
+    if (explainsMore(other, best)) best = other;
   }
-  if (best.explained > registered.registration.explained)
+  if (explainsMore(best, registered.registration))
     registered.registration =
         registration_.align(registered.source_base, {}, map_, predictionOf(best.T_odom_base),
                             threshold_.sigma(), rings);

@@ -26,8 +26,8 @@ class FitJudge {
   /// Good, poor or lost, of a scan of `points` points. `jump`: RegisteredScan::jump.
   PoseVerdict judge(const Fit& fit, std::size_t points, double jump = 0.0) const;
 
-  /// Whether the map explains the share of it that it explains of others.
-  bool isUsual(double explained) const;
+  /// Whether of all points alike the map explains the share that it explains of others.
+  bool isUsual(double anywhere) const;
 
   /// Whether the pose is farther from the prediction than can be expected.
   bool hasJumped(double jump) const { return config_.jump > 0.0 && jump > config_.jump; }
