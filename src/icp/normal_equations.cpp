@@ -16,7 +16,7 @@ NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
   plane_g_ += other.plane_g_;
   matches_ += other.matches_;
   explained_ += other.explained_;
-  explained_anywhere_ += other.explained_anywhere_;
+  explained_alike_ += other.explained_alike_;
   return *this;
 }
 

@@ -86,7 +86,7 @@ WeighedPrediction weighed(const PosePrediction& predicted, bool deskewed, const 
 
 double shareExplained(const NormalEquations& equations, std::size_t points,
                       double weight_of_alike) {
-  const double alike = (1.0 - weight_of_alike) * static_cast<double>(equations.explainedAnywhere());
+  const double alike = (1.0 - weight_of_alike) * static_cast<double>(equations.explainedAlike());
   return (static_cast<double>(equations.explained()) - alike) /
          (static_cast<double>(points) - alike);
 }

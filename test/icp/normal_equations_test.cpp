@@ -94,7 +94,7 @@ TEST(NormalEquations, CountWhatIsExplained) {
   second.countExplained(true);
   first += second;
   EXPECT_EQ(first.explained(), 2u);
-  EXPECT_EQ(first.explainedAnywhere(), 1u);
+  EXPECT_EQ(first.explainedAlike(), 1u);
 }
 
 }  // namespace

@@ -38,11 +38,11 @@ class NormalEquations {
     squares_ += squared;
   }
 
-  /// A match whose residual is one of noise and sampling, not of another surface. `anywhere`: that
+  /// A match whose residual is one of noise and sampling, not of another surface. `is_alike`: that
   /// of a point on what is alike at many places.
-  void countExplained(bool anywhere) {
+  void countExplained(bool is_alike) {
     ++explained_;
-    if (anywhere) ++explained_anywhere_;
+    if (is_alike) ++explained_alike_;
   }
 
   /// Of a point-to-point residual whose weight was added: what it compares moves along with the
@@ -60,7 +60,7 @@ class NormalEquations {
   std::size_t matches() const { return matches_; }
   std::size_t explained() const { return explained_; }
   /// Of these, on what is alike at many places.
-  std::size_t explainedAnywhere() const { return explained_anywhere_; }
+  std::size_t explainedAlike() const { return explained_alike_; }
   /// m, of the unweighted residuals of the matches.
   double rms() const { return std::sqrt(squares_ / static_cast<double>(matches_)); }
 
@@ -71,7 +71,7 @@ class NormalEquations {
   Eigen::Matrix3d wpp_ = Eigen::Matrix3d::Zero();
   Matrix6 plane_H_ = Matrix6::Zero();
   Tangent plane_g_ = Tangent::Zero();
-  std::size_t matches_ = 0, explained_ = 0, explained_anywhere_ = 0;
+  std::size_t matches_ = 0, explained_ = 0, explained_alike_ = 0;
 };
 
 }  // namespace revisit_slam

@@ -78,11 +78,11 @@ class ScanObjective {
   void countMatch(double squared, const LocalShape& shape, NormalEquations& equations) const {
     equations.countMatch(squared);
     if (squared <= config_.final_sigma * config_.final_sigma)
-      equations.countExplained(isAlikeAnywhere(shape));
+      equations.countExplained(isAlike(shape));
   }
 
   /// Level ground, and the rings that the sensor draws on it.
-  bool isAlikeAnywhere(const LocalShape& shape) const {
+  bool isAlike(const LocalShape& shape) const {
     if (!config_.planes) return false;
     if (shape.kind == ShapeKind::planar) return std::abs(shape.normal.z()) > kLevel;
     return shape.kind == ShapeKind::sparse;
