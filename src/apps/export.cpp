@@ -16,9 +16,10 @@ namespace revisit_slam {
 namespace {
 
 struct Options {
-  std::string session, out, keyposes;
+  std::string session, out, keyposes, frame = "map";
   std::vector<std::string> formats{"pcd"};
   double resolution = 0.0, tile = 0.0;
+  int utm_zone = 0;
   bool no_submaps = false, no_graph = false, no_occupancy = false, force = false, quiet = false;
   bool only_static = false;
 };
@@ -36,6 +37,10 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--tile", options.tile, "m, cut the cloud into squares of this edge")
       ->check(CLI::Range(1.0, 1e6));
+  app.add_option("--frame", options.frame,
+                 "frame of the map's cloud: map, or with GNSS enu (east, north, up) or utm (las)");
+  app.add_option("--utm-zone", options.utm_zone, "zone of --frame utm; default: of the datum")
+      ->check(CLI::Range(1, 60));
   app.add_option("--keyposes", options.keyposes,
                  "file that says where the submaps are in the map of many sessions (fleet)")
       ->check(CLI::ExistingFile);
@@ -55,6 +60,8 @@ ExportConfig configOf(const Options& options) {
   config.clouds = {options.formats.begin(), options.formats.end()};
   config.clouds.erase("none");
   for (const std::string& format : config.clouds) requireCloudFormat(format);
+  config.frame.kind = mapFrameKind(options.frame);
+  if (options.utm_zone > 0) config.frame.utm_zone = options.utm_zone;
   config.graph = !options.no_graph;
   config.submaps = !options.no_submaps;
   config.occupancy = !options.no_occupancy;

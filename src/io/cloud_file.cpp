@@ -7,14 +7,40 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "revisit_slam/io/bytes.h"
 #include "revisit_slam/io/pcd.h"
 
 namespace revisit_slam {
 namespace {
+
+Eigen::Vector3d placed(const Eigen::Vector3f& point, const CloudFrame& frame) {
+  const Eigen::Vector3d p = point.cast<double>();
+  return frame.place ? frame.place(p) : p;
+}
+
+/// Places points before it writes them in single precision.
+class PlacingStream final : public CloudStream {
+ public:
+  PlacingStream(std::unique_ptr<CloudStream> stream, CloudFrame frame)
+      : stream_(std::move(stream)), frame_(std::move(frame)) {}
+
+  void write(const Points& points, const std::vector<float>& intensities) override {
+    Points all;
+    all.reserve(points.size());
+    for (const Eigen::Vector3f& point : points) all.push_back(placed(point, frame_).cast<float>());
+    stream_->write(all, intensities);
+  }
+  void finish() override { stream_->finish(); }
+
+ private:
+  const std::unique_ptr<CloudStream> stream_;
+  const CloudFrame frame_;
+};
 
 /// A binary file whose header is written again at the end, with the same length.
 class FileWithHeader : public CloudStream {
@@ -64,16 +90,18 @@ class PlyStream final : public FileWithHeader {
 /// LAS 1.2, point format 0 (ASPRS, LAS Specification Version 1.2, 2008).
 class LasStream final : public FileWithHeader {
  public:
-  explicit LasStream(const std::string& path) : FileWithHeader(path) { writeHeader(); }
+  LasStream(const std::string& path, CloudFrame frame)
+      : FileWithHeader(path), frame_(std::move(frame)) {
+    writeHeader();
+  }
 
   void write(const Points& points, const std::vector<float>& intensities) override {
     ByteWriter bytes;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Eigen::Vector3d p = points[i].cast<double>();
+      const Eigen::Vector3d p = placed(points[i], frame_);
       least_ = least_.cwiseMin(p);
       greatest_ = greatest_.cwiseMax(p);
-      for (int axis = 0; axis < 3; ++axis)
-        bytes.put(static_cast<std::int32_t>(std::lround(p[axis] / kScale)));
+      for (int axis = 0; axis < 3; ++axis) bytes.put(wholeSteps(p[axis] - frame_.origin[axis]));
       bytes.put(intensities.empty() ? std::uint16_t{0} : wholeNumber(intensities[i]));
       bytes.put(std::uint8_t{1 | 1 << 3});                              // first return of one
       for (int rest = 0; rest < 3; ++rest) bytes.put(std::uint8_t{0});  // class, angle, user data
@@ -103,18 +131,49 @@ class LasStream final : public FileWithHeader {
     putText("revisit_slam export", 32, h);
     h.put(std::uint32_t{0});  // day and year of creation
     h.put(kHeaderLength);
-    h.put(std::uint32_t{kHeaderLength});  // where points begin
-    h.put(std::uint32_t{0});              // variable length records
-    h.put(std::uint8_t{0});               // point format
+    const std::string records = referenceSystem();
+    h.put(static_cast<std::uint32_t>(kHeaderLength + records.size()));  // where points begin
+    h.put(std::uint32_t{records.empty() ? 0u : 1u});                    // variable length records
+    h.put(std::uint8_t{0});                                             // point format
     h.put(kPointLength);
     for (const std::uint32_t n : {points, points, 0u, 0u, 0u, 0u}) h.put(n);  // all, by return
     for (int axis = 0; axis < 3; ++axis) h.put(kScale);
-    for (int axis = 0; axis < 3; ++axis) h.put(0.0);
+    for (int axis = 0; axis < 3; ++axis) h.put(frame_.origin[axis]);
     for (int axis = 0; axis < 3; ++axis) {
       h.put(count_ > 0 ? greatest_[axis] : 0.0);
       h.put(count_ > 0 ? least_[axis] : 0.0);
     }
-    file_ << h.bytes();
+    file_ << h.bytes() << records;
+  }
+
+  /// The record of GeoTIFF keys (LAS 1.2, Sec. 3; GeoTIFF 1.0, Sec. 6) that names the system; none
+  /// where there is none.
+  std::string referenceSystem() const {
+    if (frame_.epsg == 0) return {};
+    constexpr std::uint16_t kDirectory = 34735, kModel = 1024, kProjected = 1, kSystem = 3072,
+                            kUnit = 3076, kHeightUnit = 4099, kMetre = 9001;
+    const std::pair<std::uint16_t, std::uint16_t> keys[] = {
+        {kModel, kProjected},
+        {kSystem, static_cast<std::uint16_t>(frame_.epsg)},
+        {kUnit, kMetre},
+        {kHeightUnit, kMetre}};
+    constexpr std::uint16_t count = std::size(keys);
+    ByteWriter record;
+    record.put(std::uint16_t{0});
+    putText("LASF_Projection", 16, record);
+    record.put(kDirectory);
+    record.put(static_cast<std::uint16_t>((count + 1) * 4 * sizeof(std::uint16_t)));
+    putText("GeoTIFF keys", 32, record);
+    for (const std::uint16_t n : {std::uint16_t{1}, std::uint16_t{1}, std::uint16_t{0}, count})
+      record.put(n);  // version 1.1.0
+    for (const auto& [key, value] : keys)
+      for (const std::uint16_t n : {key, std::uint16_t{0}, std::uint16_t{1}, value}) record.put(n);
+    return record.bytes();
+  }
+
+  static std::int32_t wholeSteps(double distance) {
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    return static_cast<std::int32_t>(std::lround(std::clamp(distance / kScale, -most, most)));
   }
 
   static std::uint16_t wholeNumber(float intensity) {
@@ -127,6 +186,7 @@ class LasStream final : public FileWithHeader {
     bytes.putAll(std::vector<char>(text.begin(), text.end()));
   }
 
+  const CloudFrame frame_;
   Eigen::Vector3d least_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d greatest_ = -least_;
 };
@@ -134,11 +194,16 @@ class LasStream final : public FileWithHeader {
 }  // namespace
 
 std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
-                                             bool with_intensities) {
+                                             bool with_intensities, const CloudFrame& frame) {
   requireCloudFormat(format);
-  if (format == "pcd") return std::make_unique<PcdStream>(path, with_intensities);
-  if (format == "ply") return std::make_unique<PlyStream>(path, with_intensities);
-  return std::make_unique<LasStream>(path);
+  if (format == "las") return std::make_unique<LasStream>(path, frame);
+  std::unique_ptr<CloudStream> stream;
+  if (format == "pcd")
+    stream = std::make_unique<PcdStream>(path, with_intensities);
+  else
+    stream = std::make_unique<PlyStream>(path, with_intensities);
+  return frame.place ? std::make_unique<PlacingStream>(std::move(stream), frame)
+                     : std::move(stream);
 }
 
 std::string pointBytes(const Points& points, const std::vector<float>& intensities,

@@ -114,6 +114,8 @@ class MapExport {
         scans_(scansOf(session.graph)) {}
 
   std::vector<std::string> run() {
+    for (const std::string& format : config_.clouds)
+      frames_[format] = cloudFrameOf(config_.frame, session_.graph.georeference, format);
     makeFolder(folder_);
     if (config_.graph) writeGraphFiles();
     if (config_.submaps) writeSubmaps();
@@ -250,10 +252,11 @@ class MapExport {
 
   /// A cloud that is there when it is whole.
   struct Output {
-    Output(const std::string& format, const std::string& path, bool with_intensities)
+    Output(const std::string& format, const std::string& path, bool with_intensities,
+           const CloudFrame& frame)
         : path(path),
           temporary(path + ".part"),
-          stream(makeCloudStream(format, temporary, with_intensities)) {}
+          stream(makeCloudStream(format, temporary, with_intensities, frame)) {}
     ~Output() { std::remove(temporary.c_str()); }
     void finish() {
       stream->finish();
@@ -270,7 +273,7 @@ class MapExport {
     Outputs outputs;
     for (const std::string& format : config_.clouds)
       outputs.emplace_back(std::make_unique<Output>(format, file(name).append(".").append(format),
-                                                    with_intensities_));
+                                                    with_intensities_, frames_.at(format)));
     return outputs;
   }
 
@@ -347,7 +350,7 @@ class MapExport {
     const std::string numbers = std::to_string(tile.first) + "_" + std::to_string(tile.second);
     const std::string path = file("map_tiles/" + name + "_" + numbers + ".");
     for (const std::string& format : config_.clouds) {
-      Output output(format, path + format, with_intensities_);
+      Output output(format, path + format, with_intensities_, frames_.at(format));
       output.stream->write(cloud.points(), cloud.intensities());
       output.finish();
     }
@@ -400,6 +403,7 @@ class MapExport {
   const ExportProgress& progress_;
   StoredParameters parameters_;
   const SessionOffsets<ScanId> scans_;
+  std::map<std::string, CloudFrame> frames_;  // of each format of clouds
   DynamicVoxels dynamic_voxels_{parameters_.occupancy.resolution};
   std::vector<std::string> notices_;
   bool with_intensities_ = false;  // of clouds

@@ -2,6 +2,7 @@
 #include "revisit_slam/io/cloud_file.h"
 
 #include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -72,6 +73,60 @@ TEST(CloudFile, LasHasItsFieldsWhereTheSpecificationPutsThem) {
   for (const auto& [point, intensity] : {std::pair(0, 0), std::pair(1, 18), std::pair(2, 65535)}) {
     const std::string rest = at(static_cast<std::size_t>(227 + 20 * point + 12));
     EXPECT_EQ(ByteReader(rest).get<std::uint16_t>(), intensity);
+  }
+}
+
+/// The record of keys as in Sec. 2.4 of the specification of GeoTIFF 1.0.
+TEST(CloudFile, LasNamesTheReferenceSystemOfItsFrame) {
+  const TemporaryFolder folder;
+  CloudFrame frame;
+  frame.place = [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p + Eigen::Vector3d(691000.0, 5329000.0, 520.0));
+  };
+  frame.origin = {691000.0, 5329000.0, 0.0};
+  frame.epsg = 32632;
+  const auto stream = makeCloudStream("las", folder.file("map.las"), false, frame);
+  stream->write(kPoints, {});
+  stream->finish();
+  const std::string bytes = textOf(folder.file("map.las"));
+  const auto read = [&](std::size_t offset, auto like) {
+    const std::string rest = bytes.substr(offset);
+    return ByteReader(rest).get<decltype(like)>();
+  };
+  const std::uint32_t points_at = read(96, std::uint32_t{});
+  ASSERT_EQ(points_at, 227u + 54u + 5u * 8u);
+  ASSERT_EQ(bytes.size(), points_at + 3u * 20u);
+  EXPECT_EQ(read(100, std::uint32_t{}), 1u);  // records
+  EXPECT_EQ(bytes.substr(227 + 2, 15), "LASF_Projection");
+  EXPECT_EQ(read(227 + 18, std::uint16_t{}), 34735);
+  EXPECT_EQ(read(227 + 20, std::uint16_t{}), 5 * 8);
+  EXPECT_EQ(read(227 + 54 + 6, std::uint16_t{}), 4);  // keys
+  EXPECT_EQ(read(227 + 54 + 16, std::uint16_t{}), 3072);
+  EXPECT_EQ(read(227 + 54 + 22, std::uint16_t{}), 32632);
+  EXPECT_EQ(read(155, double{}), 691000.0);  // offset of x
+  EXPECT_EQ(read(163, double{}), 5329000.0);
+  EXPECT_EQ(read(195, double{}), 5329002.0);  // largest y
+  EXPECT_EQ(read(points_at, std::int32_t{}), 1000);
+  EXPECT_EQ(read(points_at + 8, std::int32_t{}), 523000);
+}
+
+TEST(CloudFile, OtherFormatsHavePointsInTheFrameToo) {
+  const TemporaryFolder folder;
+  CloudFrame frame;
+  frame.place = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p); };
+  for (const char* format : {"ply", "pcd"}) {
+    const auto stream = makeCloudStream(format, folder.file("map"), true, frame);
+    stream->write(kPoints, kIntensities);
+    stream->finish();
+    pcl::PointCloud<pcl::PointXYZI> read;
+    ASSERT_EQ(format == std::string("ply") ? pcl::io::loadPLYFile(folder.file("map"), read)
+                                           : pcl::io::loadPCDFile(folder.file("map"), read),
+              0);
+    ASSERT_EQ(read.size(), kPoints.size());
+    for (std::size_t i = 0; i < kPoints.size(); ++i) {
+      EXPECT_EQ(read[i].getVector3fMap(), -kPoints[i]);
+      EXPECT_EQ(read[i].intensity, kIntensities[i]);
+    }
   }
 }
 

@@ -111,6 +111,28 @@ TEST_F(MapExportTest, TilesTogetherAreTheMap) {
               static_cast<double>(readPcdPoints(out("map.pcd")).size()), 0.01 * points);
 }
 
+TEST_F(MapExportTest, TheMapCanBeExportedInTheFrameOfTheEarth) {
+  makeAll();
+  const Points all_map = readPcdPoints(out("map.pcd"));
+  Georeference georeference;
+  georeference.datum = {48.1, 11.6, 520.0};
+  georeference.T_enu_map.translation = {100.0, 200.0, 3.0};
+  session_.graph.georeference = georeference;
+  ExportConfig config;
+  config.frame.kind = MapFrame::Kind::enu;
+  makeAll(config);
+  const Points all_enu = readPcdPoints(out("map.pcd"));
+  ASSERT_EQ(all_enu.size(), all_map.size());
+  for (std::size_t i = 0; i < all_map.size(); ++i)
+    EXPECT_LT((all_enu[i] - all_map[i] - Eigen::Vector3f(100, 200, 3)).norm(), 1e-4f);
+  config.frame.kind = MapFrame::Kind::utm;
+  EXPECT_THROW(exportSession(session_, folder_.file("utm"), config), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("utm")));
+  config.clouds = {"las"};
+  exportSession(session_, folder_.file("utm"), config);
+  EXPECT_GT(std::filesystem::file_size(folder_.file("utm/map.las")), all_map.size() * 20);
+}
+
 TEST_F(MapExportTest, TilesOfTheExportBeforeAreRemoved) {
   const auto tilesOf = [&](double edge) {
     ExportConfig config;

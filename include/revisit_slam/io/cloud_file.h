@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,11 +22,21 @@ class CloudStream {
   virtual void finish() = 0;
 };
 
+/// The frame of the points of a file, if it is another one than that of the points written to it.
+struct CloudFrame {
+  /// From the frame of the points written, m; none: both are the same.
+  std::function<Eigen::Vector3d(const Eigen::Vector3d& point)> place;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, near the points
+  int epsg = 0;  ///< of the projected coordinate reference system that this frame is; 0: of none
+};
+
 /// `format`: pcd (binary), ply (binary) or las (1.2, to the millimetre; intensities as whole
 /// numbers of 16 bits). `with_intensities`: points have a field for them.
+/// Single precision moves points far from the origin: pcd and ply suit frames near the map's, las
+/// suits all within 2,147 km of CloudFrame::origin, and names the reference system.
 /// @throws std::invalid_argument for another one, std::runtime_error naming a file.
 std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
-                                             bool with_intensities);
+                                             bool with_intensities, const CloudFrame& frame = {});
 
 /// Points as they lie in files: x, y and z, with intensities a fourth number.
 std::string pointBytes(const Points& points, const std::vector<float>& intensities,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "revisit_slam/evaluation/map_consistency.h"
+#include "revisit_slam/session/map_frame.h"
 #include "revisit_slam/session/session_reader.h"
 
 namespace revisit_slam {
@@ -16,6 +17,7 @@ namespace revisit_slam {
 struct ExportConfig {
   bool graph = true;  ///< trajectories, pose_graph.g2o, loop_closures.csv, submaps.csv
   std::set<std::string> clouds{"pcd"};  ///< of the map: pcd, ply, las
+  MapFrame frame;                       ///< of the clouds of the map
   bool submaps = true;                  ///< each as a cloud of its own
   bool occupancy = true;                ///< map.bt, map.pgm, map.yaml
   /// Points of what moved go to map_dynamic.* instead of map.*, and out of the occupancy; so they
@@ -31,7 +33,8 @@ using ExportProgress = std::function<void(double share)>;
 
 /// Makes files of a session in a folder, which is made if missing, each whole or not at all.
 /// @return what could not be made or used, and why.
-/// @throws std::runtime_error naming a file that cannot be written.
+/// @throws std::runtime_error naming a file that cannot be written, std::invalid_argument where
+/// clouds cannot be in the frame.
 std::vector<std::string> exportSession(const Session& session, const std::string& folder,
                                        const ExportConfig& config = {},
                                        const ExportProgress& progress = {});
