@@ -14,7 +14,8 @@ constexpr double kDefaultPeriod = 0.1;     // s
 constexpr double kShortestPeriod = 0.001;  // s: no sensor turns faster
 /// s: clocks that count from the start of the sensor are as far apart.
 constexpr double kLargestOffset = 4e9;
-constexpr std::int64_t kLeap = 1'000'000'000;  // ns: a stamp so far off has to be confirmed
+constexpr std::int64_t kLeap = 1'000'000'000;  // ns
+constexpr const char* kAhead = "stamp ahead of the next one";
 /// Of the first window a sweep that begins behind this share of it is a rest.
 constexpr double kLatestBegin = 0.5;
 /// Of the points of the sweep before: fewer at the end are a rest, too.
@@ -28,7 +29,8 @@ std::int64_t nanosecondsOf(double seconds) {
 
 SweepMerger::SweepMerger(const ScanInputConfig& config)
     : length_(nanosecondsOf(config.scan_period > 0.0 ? config.scan_period : kDefaultPeriod)),
-      max_wait_(nanosecondsOf(config.max_wait)) {
+      max_wait_(nanosecondsOf(config.max_wait)),
+      leap_(std::max(kLeap, 2 * length_)) {
   if (config.scan_period > 0.0 && config.scan_period < kShortestPeriod)
     throw ParameterError("input/scan_period is " + std::to_string(config.scan_period) +
                          ", but sweeps take 0.001 to 2 s; 0: as the messages say");
@@ -50,6 +52,7 @@ SweepMerger::SweepMerger(const ScanInputConfig& config)
     sensor.nearest = static_cast<float>(ranges[2 * i] * ranges[2 * i]);
     sensor.farthest = static_cast<float>(ranges[2 * i + 1] * ranges[2 * i + 1]);
   }
+  for (Sensor& sensor : sensors_) sensor.then.resize(sensors_.size());
 }
 
 std::vector<ScanReading> SweepMerger::take(ScanReading reading) {
@@ -58,30 +61,90 @@ std::vector<ScanReading> SweepMerger::take(ScanReading reading) {
   ++sensor.account.messages;
   reading.scan->stamp = reading.scan->stamp.plusSeconds(sensor.time_offset);
   const Stamp stamp = reading.scan->stamp;
+  noteArrival(sensor, stamp);
   if (sensor.ahead) {
     ScanReading held = std::move(*std::exchange(sensor.ahead, std::nullopt));
     if (held.scan->stamp <= stamp)
       accept(std::move(held), sweeps);
     else
-      sensor.account.points_dropped["stamp ahead of the next one"] += held.scan->points.size();
+      drop(held, kAhead);
   }
-  if (isLeap(sensor, stamp))
+  if (isLeap(stamp))
     sensor.ahead = std::move(reading);
   else
     accept(std::move(reading), sweeps);
   return sweeps;
 }
 
-/// Far ahead of what this sensor and all others have reached.
-bool SweepMerger::isLeap(const Sensor& sensor, Stamp stamp) const {
-  return sensor.reached && stamp.nanoseconds > newest() + kLeap;
+/// How long each sensor has sent is counted by its own clock, which may leap.
+void SweepMerger::noteArrival(Sensor& sensor, Stamp stamp) {
+  if (sensor.sent)
+    sensor.sent_for +=
+        std::clamp<std::int64_t>(stamp.nanoseconds - sensor.sent->nanoseconds, 0, kLeap);
+  sensor.sent = stamp;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) sensor.then[i] = sensors_[i].sent_for;
+  std::optional<std::int64_t> newest_other;
+  for (const Sensor& other : sensors_)
+    if (&other != &sensor && other.sent && !hasGone(other))
+      newest_other =
+          std::max(newest_other.value_or(other.sent->nanoseconds), other.sent->nanoseconds);
+  if (newest_other)
+    sensor.account.behind = 1e-9 * static_cast<double>(*newest_other - stamp.nanoseconds);
+}
+
+/// It has sent nothing while another one has for some time.
+bool SweepMerger::hasGone(const Sensor& sensor) const {
+  if (!sensor.sent) return true;
+  for (std::size_t i = 0; i < sensors_.size(); ++i)
+    if (sensors_[i].sent_for - sensor.then[i] > leap_ + max_wait_) return true;
+  return false;
+}
+
+/// That of most of the sensors that send, of which `sender` is one; of as many it stays what it
+/// was.
+void SweepMerger::chooseClock(const Sensor& sender) {
+  const bool stays = clock_ != nullptr && !hasGone(*clock_);
+  const Sensor* best = stays ? clock_ : &sender;
+  for (const Sensor& sensor : sensors_)
+    if (!hasGone(sensor) && agreeingWith(sensor) > agreeingWith(*best)) best = &sensor;
+  clock_ = best;
+}
+
+/// How many of the sensors that send have its clock, by their last messages.
+std::size_t SweepMerger::agreeingWith(const Sensor& sensor) const {
+  return static_cast<std::size_t>(std::count_if(
+      sensors_.begin(), sensors_.end(),
+      [&](const Sensor& other) { return !hasGone(other) && isNear(*other.sent, *sensor.sent); }));
+}
+
+bool SweepMerger::isNear(Stamp a, Stamp b) const {
+  return std::abs(a.nanoseconds - b.nanoseconds) <= leap_ + max_wait_;
+}
+
+bool SweepMerger::isOfAnotherClock(const Sensor& sensor, Stamp stamp) const {
+  return &sensor != clock_ && clock_->reached && !isNear(stamp, *clock_->reached);
+}
+
+/// Far ahead of what all have reached.
+bool SweepMerger::isLeap(Stamp stamp) const {
+  const std::int64_t reached = newest();
+  return reached != std::numeric_limits<std::int64_t>::min() && stamp.nanoseconds > reached + leap_;
+}
+
+void SweepMerger::drop(const ScanReading& reading, const std::string& reason) {
+  sensors_[reading.sensor].account.points_dropped[reason] += reading.scan->points.size();
 }
 
 void SweepMerger::accept(ScanReading reading, std::vector<ScanReading>& sweeps) {
   Sensor& sensor = sensors_[reading.sensor];
   const Scan& scan = *reading.scan;
-  const bool went_back = sensor.reached && scan.stamp < *sensor.reached && closed_until_ &&
-                         scan.stamp.nanoseconds < *closed_until_ * length_ - kLeap - max_wait_;
+  chooseClock(sensor);
+  if (isOfAnotherClock(sensor, scan.stamp)) {
+    sensor.is_awaited = false;
+    return drop(reading, "of another clock");
+  }
+  const bool went_back = &sensor == clock_ && closed_until_ &&
+                         scan.stamp.nanoseconds < *closed_until_ * length_ - leap_ - max_wait_;
   if (went_back) {  // the clock: what follows is another session, which the stamp gate tells
     for (ScanReading& sweep : flush()) sweeps.push_back(std::move(sweep));
     for (Sensor& any : sensors_) any.reached.reset();
@@ -91,9 +154,9 @@ void SweepMerger::accept(ScanReading reading, std::vector<ScanReading>& sweeps) 
   sensor.T_base_sensor = scan.T_base_sensor;
   sensor.frame_id = reading.frame_id;
   if (!sensor.reached || *sensor.reached < scan.stamp) sensor.reached = scan.stamp;
-  if (scan.stamp.nanoseconds >= newest()) sensor.account.is_silent = false;
-  if (closed_until_ && scan.stamp.nanoseconds >= *closed_until_ * length_)
-    sensor.account.is_silent = false;
+  const bool is_in_time = newest() - scan.stamp.nanoseconds < std::max<std::int64_t>(max_wait_, 1);
+  if (is_in_time || (closed_until_ && scan.stamp.nanoseconds >= *closed_until_ * length_))
+    sensor.is_awaited = true;
   store(scan, sensor);
   close(sweeps);
 }
@@ -112,8 +175,10 @@ void SweepMerger::store(const Scan& scan, Sensor& sensor) const {
       ++sensor.account.points_dropped["too far"];
     else if (point.nanoseconds < too_late)
       ++sensor.account.points_dropped["too late"];
-    else
+    else {
       sensor.points.push_back(point);
+      sensor.oldest = std::min(sensor.oldest, point.nanoseconds);
+    }
   }
 }
 
@@ -126,16 +191,15 @@ std::int64_t SweepMerger::newest() const {
 
 bool SweepMerger::allReach(std::int64_t end) const {
   return std::all_of(sensors_.begin(), sensors_.end(), [&](const Sensor& sensor) {
-    return sensor.account.is_silent || (sensor.reached && sensor.reached->nanoseconds >= end);
+    return !sensor.is_awaited || (sensor.reached && sensor.reached->nanoseconds >= end);
   });
 }
 
 /// Of those that have points.
 std::optional<std::int64_t> SweepMerger::oldestWindow() const {
-  std::int64_t oldest = std::numeric_limits<std::int64_t>::max();
-  for (const Sensor& sensor : sensors_)
-    for (const Point& point : sensor.points) oldest = std::min(oldest, point.nanoseconds);
-  if (oldest == std::numeric_limits<std::int64_t>::max()) return std::nullopt;
+  std::int64_t oldest = kNever;
+  for (const Sensor& sensor : sensors_) oldest = std::min(oldest, sensor.oldest);
+  if (oldest == kNever) return std::nullopt;
   return oldest / length_;
 }
 
@@ -146,7 +210,7 @@ void SweepMerger::close(std::vector<ScanReading>& sweeps) {
     if (!allReach(end) && !waited) return;
     if (waited)
       for (Sensor& sensor : sensors_)
-        if (!sensor.reached || sensor.reached->nanoseconds < end) sensor.account.is_silent = true;
+        if (!sensor.reached || sensor.reached->nanoseconds < end) sensor.is_awaited = false;
     if (std::optional<ScanReading> sweep = closeWindow(*window))
       sweeps.push_back(std::move(*sweep));
   }
@@ -155,9 +219,8 @@ void SweepMerger::close(std::vector<ScanReading>& sweeps) {
 std::vector<ScanReading> SweepMerger::flush() {
   std::vector<ScanReading> sweeps;
   for (Sensor& sensor : sensors_) {
-    if (!sensor.ahead) continue;
-    const ScanReading held = std::move(*std::exchange(sensor.ahead, std::nullopt));
-    store(*held.scan, sensor);
+    if (sensor.ahead) drop(*sensor.ahead, kAhead);
+    sensor.ahead.reset();
   }
   while (const std::optional<std::int64_t> window = oldestWindow()) {
     const auto usual = static_cast<double>(last_size_);
@@ -188,6 +251,9 @@ std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window, double 
     if (later == sensor.points.begin()) continue;
     points.emplace_back(&sensor.account, later - sensor.points.begin());
     sensor.points.erase(sensor.points.begin(), later);
+    sensor.oldest = kNever;
+    for (const Point& point : sensor.points)
+      sensor.oldest = std::min(sensor.oldest, point.nanoseconds);
     scan.views.push_back({sensor.T_base_sensor, scan.points.size()});
     if (reading.frame_id.empty()) {
       reading.frame_id = sensor.frame_id;
@@ -211,10 +277,16 @@ std::optional<ScanReading> SweepMerger::closeWindow(std::int64_t window, double 
 void SweepMerger::restart() {
   for (Sensor& sensor : sensors_) {
     sensor.points.clear();
+    sensor.oldest = kNever;
     sensor.reached.reset();
     sensor.ahead.reset();
+    sensor.sent.reset();
+    sensor.sent_for = 0;
+    std::fill(sensor.then.begin(), sensor.then.end(), 0);
+    sensor.is_awaited = true;
     sensor.account = {};
   }
+  clock_ = nullptr;
   closed_until_.reset();
   has_intensities_ = false;
   last_size_ = 0;
@@ -228,8 +300,12 @@ std::size_t SweepMerger::held() const {
 
 std::map<std::string, SensorAccount> SweepMerger::accounts() const {
   std::map<std::string, SensorAccount> accounts;
-  if (merges())
-    for (const Sensor& sensor : sensors_) accounts[sensor.topic] = sensor.account;
+  if (!merges()) return accounts;
+  for (const Sensor& sensor : sensors_) {
+    SensorAccount& account = accounts[sensor.topic] = sensor.account;
+    account.is_silent = !sensor.is_awaited && hasGone(sensor);
+    account.is_late = !sensor.is_awaited && !account.is_silent;
+  }
   return accounts;
 }
 

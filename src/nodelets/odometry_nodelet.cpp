@@ -238,9 +238,9 @@ class OdometryNodelet : public SlamNodelet {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (!lock) return;  // a scan is being registered
     const ros::WallTime now = ros::WallTime::now();
-    const std::size_t received = stage_->account().received;
-    if (std::exchange(received_before_, received) != received) received_at_ = now;
-    if (stage_->held() > 0 && (now - received_at_).toSec() > 1.0) queue_->push(Flush{});
+    const std::size_t arrived = scans_->arrived();
+    if (std::exchange(arrived_before_, arrived) != arrived) arrived_at_ = now;
+    if (stage_->held() > 0 && (now - arrived_at_).toSec() > 1.0) queue_->push(Flush{});
   }
 
   // Of the queue's thread.
@@ -254,8 +254,8 @@ class OdometryNodelet : public SlamNodelet {
   KnownMapPtr next_map_;  // that the next session goes on from
   InputReport report_;
   OdometryReport numbers_;
-  std::size_t received_before_ = 0;
-  ros::WallTime received_at_;
+  std::size_t arrived_before_ = 0;
+  ros::WallTime arrived_at_;
   std::string broadcast_fault_;
 
   std::atomic<bool> reset_requested_{false};

@@ -120,6 +120,96 @@ TEST(SweepMerger, ASensorThatIsLostCostsNoneOfTheOthersAndComesBack) {
   EXPECT_TRUE(lost.accounts().at("/rear").is_silent);
 }
 
+/// Those of the rear, at 10 Hz, come 0.08 s after they end, just in time for their sweeps.
+TEST(SweepMerger, ASensorWhoseMessagesTakeTheirTimeComesBackToo) {
+  ScanInputConfig config = threeSensors();
+  config.topics = "/front /rear";
+  SweepMerger merger(config);
+  Sweeps sweeps;
+  for (int i = 0; i < 100; ++i) {
+    const double now = 0.1 * i;
+    append(merger.take(messageOf(0, now)), sweeps);  // ends at now + 0.1
+    const bool is_lost = 30 <= i && i < 60;
+    if (i > 0 && !is_lost) append(merger.take(messageOf(1, now - 0.08)), sweeps);
+    if (i < 40 || i >= 45) {  // it is called so after little more than a second
+      EXPECT_EQ(merger.accounts().at("/rear").is_silent, 45 <= i && i < 60) << i;
+    }
+  }
+  EXPECT_FALSE(merger.accounts().at("/rear").is_silent);
+  EXPECT_FALSE(merger.accounts().at("/rear").is_late);
+  EXPECT_NEAR(static_cast<double>(pointsOf(sweeps, 1)), 68.0 * 20.0, 60.0);
+}
+
+TEST(SweepMerger, ASensorWithAnotherClockCostsItselfAlone) {
+  for (const double off : {37.0, -37.0}) {
+    for (const std::size_t other :
+         {std::size_t{0}, std::size_t{2}}) {  // the first to send, and not
+      SweepMerger merger(threeSensors());
+      Sweeps sweeps;
+      for (int i = 0; i < 40; ++i)
+        for (std::size_t sensor = 0; sensor < 3; ++sensor)
+          append(merger.take(messageOf(sensor, 0.1 * i + (sensor == other ? off : 0.0))), sweeps);
+      EXPECT_GE(pointsOf(sweeps, 1), 36u * 20u);
+      EXPECT_GE(pointsOf(sweeps, 2 - other), 36u * 20u);
+      const SensorAccount account = merger.accounts().at(other == 0 ? "/roof" : "/rear");
+      EXPECT_TRUE(account.is_late);
+      EXPECT_FALSE(account.is_silent);
+      EXPECT_NEAR(account.behind, -off, 0.11);
+      EXPECT_GE(account.points_dropped.at("of another clock"), 36u * 20u);
+      EXPECT_FALSE(merger.accounts().at("/front").is_late);
+    }
+  }
+}
+
+TEST(SweepMerger, AClockThatStepsWhileItDrivesCostsItsSensorUntilItIsRight) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps;
+  for (int i = 0; i < 90; ++i)
+    for (std::size_t sensor = 0; sensor < 3; ++sensor) {
+      const bool is_off = sensor == 0 && 30 <= i && i < 60;
+      append(merger.take(messageOf(sensor, 0.1 * i + (is_off ? 18.0 : 0.0))), sweeps);
+    }
+  EXPECT_GE(pointsOf(sweeps, 1), 85u * 20u);
+  EXPECT_GE(pointsOf(sweeps, 2), 85u * 20u);
+  EXPECT_NEAR(static_cast<double>(pointsOf(sweeps, 0)), 59.0 * 20.0, 80.0);
+  EXPECT_FALSE(merger.accounts().at("/roof").is_late);
+}
+
+TEST(SweepMerger, OfTwoClocksThatOfTheFirstIsTaken) {
+  ScanInputConfig config = threeSensors();
+  config.topics = "/a /b";
+  SweepMerger merger(config);
+  Sweeps sweeps;
+  for (int i = 0; i < 40; ++i) {
+    append(merger.take(messageOf(0, 0.1 * i)), sweeps);
+    append(merger.take(messageOf(1, 0.1 * i + 5.0)), sweeps);
+  }
+  EXPECT_GE(pointsOf(sweeps, 0), 38u * 20u);
+  EXPECT_TRUE(merger.accounts().at("/b").is_late);
+}
+
+/// The last message before a pause, which a flush ends, and the first of a sensor.
+TEST(SweepMerger, AWrongStampThatNothingConfirmsIsNotUsed) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps = play(merger, 2.0);
+  append(merger.take(messageOf(0, 3600.0)), sweeps);
+  append(merger.flush(), sweeps);
+  for (const ScanReading& sweep : sweeps) EXPECT_LT(sweep.scan->stamp.toSeconds(), kStart + 3.0);
+  append(merger.take(messageOf(1, 2.0)), sweeps);
+  EXPECT_EQ(merger.accounts().at("/front").points_dropped.count("too late"), 0u);
+
+  SweepMerger begins(threeSensors());
+  append(begins.take(messageOf(0, 0.0)), sweeps);
+  append(begins.take(messageOf(1, 3600.0)), sweeps);
+  for (int i = 0; i < 20; ++i)
+    for (std::size_t sensor = 0; sensor < 3; ++sensor)
+      append(begins.take(messageOf(sensor, 0.1 * (i + 1))), sweeps);
+  for (const auto& [topic, account] : begins.accounts()) {
+    EXPECT_FALSE(account.is_late) << topic;
+    EXPECT_GE(account.points, 18u * 20u) << topic;
+  }
+}
+
 TEST(SweepMerger, ASensorThatNeverComesIsNotWaitedForLong) {
   SweepMerger merger(threeSensors());
   Sweeps sweeps;

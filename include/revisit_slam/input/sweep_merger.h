@@ -18,9 +18,10 @@ namespace revisit_slam {
 /// Makes one sweep of what several sensors saw in the same time: windows of one length, on a grid
 /// of absolute time, each with all points whose times are in it. So sensors may have any rates and
 /// phases, and none of them is needed for those of the others. A window is closed when all sensors
-/// have reached its end, or one is ahead of it by input/max_wait; then the others count as silent
-/// until they are up again. What it holds depends on stamps alone, unless messages come later than
-/// that.
+/// have reached its end, or one is ahead of it by input/max_wait; the others are no longer waited
+/// for until they are up again. What it holds depends on stamps alone, unless messages come later
+/// than that. The clock is that of most of the sensors that send, of as many that of the one that
+/// was first: messages of others that are seconds off it are dropped.
 class SweepMerger {
  public:
   /// @throws ParameterError for ranges or offsets that are none, or of another number of sensors.
@@ -43,6 +44,8 @@ class SweepMerger {
   std::map<std::string, SensorAccount> accounts() const;
 
  private:
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+
   struct Point {
     std::int64_t nanoseconds;  // since 1970
     Eigen::Vector3f p_sensor;
@@ -55,14 +58,26 @@ class SweepMerger {
     Pose T_base_sensor;
     std::string frame_id;
     std::vector<Point> points;         // that wait, in the order of messages
+    std::int64_t oldest = kNever;      // of these
     std::optional<Stamp> reached;      // by its last message
     std::optional<ScanReading> ahead;  // of all others, to be confirmed by the next
+    bool is_awaited = true;
+    std::optional<Stamp> sent;       // by its last message, whatever became of that
+    std::int64_t sent_for = 0;       // ns, by its own clock, without leaps
+    std::vector<std::int64_t> then;  // sent_for of all sensors at its last message
     SensorAccount account;
   };
 
+  void noteArrival(Sensor& sensor, Stamp stamp);
+  bool hasGone(const Sensor& sensor) const;
+  void chooseClock(const Sensor& sender);
+  std::size_t agreeingWith(const Sensor& sensor) const;
+  bool isNear(Stamp a, Stamp b) const;
+  bool isOfAnotherClock(const Sensor& sensor, Stamp stamp) const;
+  void drop(const ScanReading& reading, const std::string& reason);
   void accept(ScanReading reading, std::vector<ScanReading>& sweeps);
   void store(const Scan& scan, Sensor& sensor) const;
-  bool isLeap(const Sensor& sensor, Stamp stamp) const;
+  bool isLeap(Stamp stamp) const;
   bool allReach(std::int64_t end) const;
   std::int64_t newest() const;
   std::optional<std::int64_t> oldestWindow() const;
@@ -72,7 +87,9 @@ class SweepMerger {
 
   std::int64_t length_;    // ns
   std::int64_t max_wait_;  // ns
+  std::int64_t leap_;      // ns: a stamp so far off has to be confirmed
   std::vector<Sensor> sensors_;
+  const Sensor* clock_ = nullptr;  // whose clock is that of the sweeps; null: none has sent
   std::optional<std::int64_t> closed_until_;  // window behind the last one that was closed
   bool has_intensities_ = false;              // some sensor has
   std::size_t last_size_ = 0;                 // points of the last sweep

@@ -12,7 +12,10 @@ struct SensorAccount {
   std::size_t messages = 0;
   std::size_t points = 0;                             ///< that went into sweeps
   std::map<std::string, std::size_t> points_dropped;  ///< by reason
-  bool is_silent = false;                             ///< sweeps do not wait for it
+  // Sweeps do not wait for it:
+  bool is_silent = false;  ///< it sends nothing
+  bool is_late = false;    ///< it sends, but too late, or by another clock
+  double behind = 0.0;     ///< s, its last message behind the newest of the others; below 0: ahead
 };
 
 }  // namespace revisit_slam

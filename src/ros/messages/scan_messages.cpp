@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/messages/scan_messages.h"
 
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <sstream>
 
@@ -143,6 +145,15 @@ std::string mostDropped(const PriorAccount& account) {
          std::to_string(account.received) + ": " + most->first + ")";
 }
 
+/// What is amiss with the clock or the driver of a sensor that sends.
+std::string lateness(const std::string& topic, const SensorAccount& account) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof(seconds), "%.3g", std::abs(account.behind));
+  return ", scans on " + topic + " are left out: their stamps are " + seconds + " s " +
+         (account.behind > 0.0 ? "behind" : "ahead of") +
+         " those of others (correct input/time_offsets, or raise input/max_wait)";
+}
+
 }  // namespace
 
 void addPriors(const std::map<std::string, PriorAccount>& accounts,
@@ -169,9 +180,9 @@ void addLidars(const std::map<std::string, SensorAccount>& accounts,
     addValue(topic + " points in sweeps", std::to_string(account.points), status);
     for (const auto& [reason, count] : account.points_dropped)
       addValue(topic + " points dropped: " + reason, std::to_string(count), status);
-    if (!account.is_silent) continue;
+    if (!account.is_silent && !account.is_late) continue;
     if (status.level == status.OK) status.level = status.WARN;
-    status.message += ", no scans on " + topic;
+    status.message += account.is_silent ? ", no scans on " + topic : lateness(topic, account);
   }
 }
 
