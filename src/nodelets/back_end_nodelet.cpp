@@ -154,6 +154,16 @@ class BackEndNodelet : public SlamNodelet {
     });
   }
 
+  void log(const LoopClosures& closures) {
+    const GraphSession* session = stage_->session();
+    const SessionId id = closures.map.session;
+    if (session == nullptr || session->id() != id || session->folder().empty()) return;
+    logging_->post([this, id, folder = session->folder(), candidates = closures.candidates] {
+      DriveLog& log = logs_.try_emplace(id, folder).first->second;
+      for (const LoopCandidate& candidate : candidates) log.add(candidate);
+    });
+  }
+
   /// And no longer keeps those of sessions before.
   std::string save(GraphSession& session) {
     logging_->drain();  // nobody else posts there
@@ -166,6 +176,7 @@ class BackEndNodelet : public SlamNodelet {
   void close(const LoopClosures& closures) {
     if (ending_) return;
     stage_->add(closures);
+    log(closures);
     draw();
   }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "revisit_slam/io/trajectory.h"
+#include "revisit_slam/types/loop_edge.h"
 
 namespace revisit_slam {
 namespace {
@@ -23,6 +24,9 @@ std::string timesHeader(const std::vector<std::string>& stages) {
   for (const std::string& stage : stages) header += "," + stage + "_ms";
   return header + ",total_ms\n";
 }
+
+constexpr const char* kCandidatesHeader =
+    "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n";
 
 }  // namespace
 
@@ -60,7 +64,8 @@ DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times) {
 DriveLog::DriveLog(const std::string& folder)
     : odometry_(folder + "/odometry.tum"),
       information_(folder + "/odometry_information.csv", informationHeader()),
-      scan_times_(folder + "/scan_times.csv") {}
+      scan_times_(folder + "/scan_times.csv"),
+      loop_candidates_(folder + "/loop_candidates.csv", kCandidatesHeader) {}
 
 void DriveLog::add(const DriveLogEntry& entry) {
   std::ostringstream pose;
@@ -105,6 +110,19 @@ void DriveLog::writeTimes(const DriveLogEntry& entry) {
   scan_times_.add(line.str());
 }
 
+void DriveLog::add(const LoopCandidate& candidate) {
+  std::ostringstream line;
+  line << toString(candidate.origin) << ',' << candidate.target_map.value << ','
+       << candidate.source_map.value << ',' << candidate.target.value << ','
+       << candidate.source.value << ',' << candidate.outcome << ',';
+  if (!candidate.isAccepted())
+    line << candidate.value << ',' << candidate.limit << ',' << candidate.unit;
+  else
+    line << ",,";
+  line << '\n';
+  loop_candidates_.add(line.str());
+}
+
 void DriveLog::addTimes(const StageTimes& times) {
   for (const auto& [stage, ms] : times) stage_ms_[stage].push_back(static_cast<float>(ms));
 }
@@ -119,6 +137,7 @@ void DriveLog::tell(RunSummary& summary) const {
 
 void DriveLog::flush() {
   for (LineFile* lines : {&odometry_, &information_, &scan_times_}) lines->flush();
+  if (loop_candidates_.hasLines()) loop_candidates_.flush();
 }
 
 }  // namespace revisit_slam

@@ -139,6 +139,8 @@ bool LoopClosing::hand(const LoopSearchResult& result, std::function<void()> the
   closures.origin = result.origin;
   closures.constraints = result.accepted();
   closures.view = result.view;
+  for (const LoopProposal& proposal : result.proposals)
+    closures.candidates.push_back(candidateOf(proposal));
   const bool has_answer = !closures.constraints.empty() || with_measurements_;
   if (has_answer) {
     closures.request = ++requests_;

@@ -78,6 +78,22 @@ TEST(DriveLog, InformationHasTheUpperTrianglesOfBothMatrices) {
   EXPECT_EQ(line, expected);
 }
 
+TEST(DriveLog, PairsOfSubmapsSayWhichGateRejectedThem) {
+  const TemporaryFolder folder;
+  DriveLog log(folder.file(""));
+  log.flush();
+  EXPECT_FALSE(std::filesystem::exists(folder.file("loop_candidates.csv")));
+  LoopCandidate candidate{LoopOrigin::retroactive, {1}, {5}, {4}, {21}, "fitness", 0.18, 0.25, "%"};
+  log.add(candidate);
+  candidate.outcome = "accepted";
+  log.add(candidate);
+  EXPECT_EQ(textOf(folder.file("loop_candidates.csv")),
+            "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n"
+            "retroactive,1,5,4,21,fitness,0.18,0.25,%\n"
+            "retroactive,1,5,4,21,accepted,,,\n");
+  EXPECT_NO_THROW(log.flush());
+}
+
 TEST(DriveLog, WaitsForItsFolder) {
   const TemporaryFolder folder;
   DriveLog log(folder.file("later"));

@@ -9,6 +9,7 @@
 #include "revisit_slam/io/growing_file.h"
 #include "revisit_slam/session/run_summary.h"
 #include "revisit_slam/types/informed_scan.h"
+#include "revisit_slam/types/loop_candidate.h"
 #include "revisit_slam/types/travelled_distance.h"
 #include "revisit_slam/util/stage_times.h"
 
@@ -27,6 +28,8 @@ class LineFile {
   void add(const std::string& line);
   /// @throws std::runtime_error naming the file, if there are lines that cannot be written.
   void flush();
+  /// Whether a line was added.
+  bool hasLines() const { return file_ || !waiting_.empty(); }
 
  private:
   std::string path_, header_;
@@ -52,12 +55,15 @@ struct DriveLogEntry {
 DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times);
 
 /// What is known of each scan of a drive, on disk as soon as it is known: odometry.tum,
-/// odometry_information.csv and scan_times.csv in a folder.
+/// odometry_information.csv and scan_times.csv in a folder; and loop_candidates.csv, once a pair of
+/// submaps was registered.
 class DriveLog {
  public:
   explicit DriveLog(const std::string& folder);
 
   void add(const DriveLogEntry& entry);
+  /// May be called in another thread than the rest, and not while flush() is.
+  void add(const LoopCandidate& candidate);
   /// Wall time of what is done once for a local map or an optimisation, for run.json.
   void addTimes(const StageTimes& times);
 
@@ -71,7 +77,7 @@ class DriveLog {
   void writeInformation(const DriveLogEntry& entry);
   void writeTimes(const DriveLogEntry& entry);
 
-  LineFile odometry_, information_, scan_times_;
+  LineFile odometry_, information_, scan_times_, loop_candidates_;
   std::vector<std::string> stages_;  // columns of scan_times_: those of the first scan
   std::map<std::string, std::vector<float>> stage_ms_;
   std::map<PoseVerdict, std::size_t> verdicts_;

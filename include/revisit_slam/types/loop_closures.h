@@ -7,6 +7,7 @@
 
 #include "revisit_slam/types/constraint.h"
 #include "revisit_slam/types/ids.h"
+#include "revisit_slam/types/loop_candidate.h"
 
 namespace revisit_slam {
 
@@ -21,6 +22,8 @@ struct LoopClosures {
   std::uint32_t request = 0;
   /// Without any there is nothing to correct, and no answer unless there is a request.
   std::vector<LoopConstraint> constraints;
+  /// All pairs that were registered, for the session's files.
+  std::vector<LoopCandidate> candidates;
   /// The map as place recognition sees it, for the session's files; null for retroactive ones.
   std::shared_ptr<const PlaceView> view;
 };

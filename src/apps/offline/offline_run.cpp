@@ -2,7 +2,6 @@
 #include "offline_run.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -16,22 +15,6 @@ namespace revisit_slam {
 namespace {
 
 constexpr const char* kReading = "read";  // the stage, which scans that waited have no time of
-
-/// A line of loop_candidates.csv: the pair of submaps, and the gate that rejected it, if any.
-std::string lineOf(const LoopProposal& proposal) {
-  const LoopConstraint& loop = proposal.loop;
-  const GateMeasurement& measurement = proposal.verdict.measurement;
-  std::ostringstream line;
-  line << toString(loop.origin) << ',' << loop.target_map.value << ',' << loop.source_map.value
-       << ',' << loop.target.value << ',' << loop.source.value << ',' << proposal.verdict.outcome()
-       << ',';
-  if (!proposal.verdict.isAccepted())
-    line << measurement.value << ',' << measurement.limit << ',' << measurement.unit;
-  else
-    line << ",,";
-  line << '\n';
-  return line.str();
-}
 
 /// Where a drive is localized nothing is mapped.
 SlamConfig withOrWithoutMaps(SlamConfig config) {
@@ -67,13 +50,8 @@ OfflineRun::OfflineRun(const SlamConfig& config, std::unique_ptr<ScanSource> sou
       slam_(
           config_, *this, executor_, [this](SessionId session, Stamp) { return targetOf(session); },
           prior) {
-  if (!config.localization.map.empty()) {
+  if (!config.localization.map.empty())
     localized_.emplace(config, folder_, [this](const std::string& text) { progress_.say(text); });
-    return;
-  }
-  loop_candidates_.emplace(
-      folder_.file("loop_candidates.csv"),
-      "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n");
 }
 
 void OfflineRun::run() {
@@ -249,7 +227,7 @@ void OfflineRun::sayWhatWaits() {
 
 void OfflineRun::onLoopSearch(const LoopSearchResult& result) {
   sayWhatWaits();
-  for (const LoopProposal& proposal : result.proposals) loop_candidates_->add(lineOf(proposal));
+  for (const LoopProposal& proposal : result.proposals) folder_.log().add(candidateOf(proposal));
   const std::lock_guard<std::mutex> lock(mutex_);
   background_times_.push_back(result.times);
   if (result.origin == LoopOrigin::retroactive) {
@@ -308,7 +286,6 @@ void OfflineRun::writeResults() {
     judgeConsistency(summary);
   }
   if (localized_) localized_->finish();
-  if (loop_candidates_) loop_candidates_->flush();
   folder_.finish(summary);
   if (account.processed == 0)
     throw BagError(account.received == 0

@@ -92,8 +92,6 @@ class OfflineRun : private SlamObserver {
   std::vector<StageTimes> background_times_;
   int retroactive_pairs_ = 0;
 
-  std::optional<LineFile> loop_candidates_;  // in the background; of a drive that is mapped
-
   StagedExecutor executor_;
   Slam slam_;  // last: its stages speak to the observer
 };

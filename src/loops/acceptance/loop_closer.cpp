@@ -59,6 +59,14 @@ LoopConstraint constraintOf(const Submap& source, const Submap& target,
 
 }  // namespace
 
+LoopCandidate candidateOf(const LoopProposal& proposal) {
+  const LoopConstraint& loop = proposal.loop;
+  const GateMeasurement& gate = proposal.verdict.measurement;
+  return {loop.origin, loop.target_map, loop.source_map,
+          loop.target, loop.source,     proposal.verdict.outcome(),
+          gate.value,  gate.limit,      gate.unit};
+}
+
 std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals) {
   std::vector<LoopConstraint> accepted;
   for (const LoopProposal& proposal : proposals)

@@ -95,10 +95,10 @@ TEST(ExtendingLive, givesTheFilesOfTheOfflineProgram) {
       becomesTrue([&] { return !prior.all().empty() && prior.all().back()->width > 1000; }));
 
   const std::string live = onlyEntryOf(folder.file("drives")) + "/";
-  for (const char* name :
-       {"odometry.tum", "odometry_information.csv", "trajectory_0.tum", "trajectory_1.tum",
-        "pose_graph.g2o", "loop_closures.csv", "graph.log", "optimisations.log", "map.pcd",
-        "submaps/submaps.csv", "submaps/000000.rsm", "submaps/1_000000.rsm"})
+  for (const char* name : {"odometry.tum", "odometry_information.csv", "trajectory_0.tum",
+                           "trajectory_1.tum", "pose_graph.g2o", "loop_closures.csv",
+                           "loop_candidates.csv", "graph.log", "optimisations.log", "map.pcd",
+                           "submaps/submaps.csv", "submaps/000000.rsm", "submaps/1_000000.rsm"})
     EXPECT_TRUE(textOf(live + name) == textOf(offline.results(name))) << name;
   EXPECT_TRUE(filesOf(savedMap()) == map_before);
 }

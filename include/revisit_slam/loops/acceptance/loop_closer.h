@@ -9,6 +9,7 @@
 #include "revisit_slam/loops/registration/fine_registration.h"
 #include "revisit_slam/loops/registration/fine_registration_information.h"
 #include "revisit_slam/types/constraint.h"
+#include "revisit_slam/types/loop_candidate.h"
 #include "revisit_slam/types/submap.h"
 
 namespace revisit_slam {
@@ -22,6 +23,8 @@ struct LoopProposal {
   RegisteredPair registered;
   double mean_squared_residual = 0.0;  ///< m^2, of the objective of the information
 };
+
+LoopCandidate candidateOf(const LoopProposal& proposal);
 
 /// The constraints of those that were accepted.
 std::vector<LoopConstraint> acceptedOf(const std::vector<LoopProposal>& proposals);
