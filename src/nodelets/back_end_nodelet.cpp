@@ -8,7 +8,7 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "revisit_slam/ros/node/georeference_topics.h"
+#include "revisit_slam/ros/node/datum_topic.h"
 #include "revisit_slam/ros/node/graph_display.h"
 #include "revisit_slam/ros/node/graph_services.h"
 #include "revisit_slam/ros/node/graph_status.h"
@@ -53,7 +53,7 @@ class BackEndNodelet : public SlamNodelet {
     ros::NodeHandle& node = getNodeHandle();
     requireWritable(config_.live);
     broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
-    georeference_ = std::make_unique<GeoreferenceTopics>(node, config_);
+    datum_ = std::make_unique<DatumTopic>(node);
     stage_ = std::make_unique<BackEnd>(
         config_, [this](const MapCorrectionPtr& correction) { publish(correction); },
         [this](SessionId session, Stamp start) {
@@ -194,7 +194,7 @@ class BackEndNodelet : public SlamNodelet {
     correction_publisher_.publish(toBoostPointer(correction));
     if (correction->version == 0) return;
     broadcaster_->correct(*correction);
-    georeference_->publish(*correction);
+    datum_->publish(correction->georeference);
     status_.noteCorrection(*correction);
   }
 
@@ -230,7 +230,7 @@ class BackEndNodelet : public SlamNodelet {
 
   // Of the lane.
   std::string sensor_frame_;
-  std::unique_ptr<GeoreferenceTopics> georeference_;
+  std::unique_ptr<DatumTopic> datum_;
   std::unique_ptr<BackEnd> stage_;
   std::unique_ptr<GraphDisplay> display_;
   std::unique_ptr<OccupancyDisplay> occupancy_;

@@ -20,6 +20,14 @@ RelativePoseFactor uprightStart(NodeId enu, const Pose& T_map_enu, double deviat
   return upright;
 }
 
+constexpr double kFarFromOrigin = 1e4;  // m: the frame enu would no longer be upright there
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace
 
 GnssFactors::GnssFactors(const GnssConfig& config)
@@ -31,6 +39,22 @@ void GnssFactors::add(std::size_t node, const std::vector<GnssFix>& fixes, std::
     const NodeId scan{static_cast<std::uint32_t>(first) + fix.scan.value};
     fixes_.push_back({node, scan, fix, enu_->toEnu(fix.position), fix.covariance_enu.inverse()});
   }
+  if (!fixes.empty() && !T_map_enu_) placeOrigin();
+}
+
+/// At the first position, unless that turns out to be far from most: a receiver may say 0, 0 first.
+void GnssFactors::placeOrigin() {
+  std::vector<double> latitudes, longitudes, altitudes;
+  for (const Tied& tied : fixes_) {
+    latitudes.push_back(tied.fix.position.latitude);
+    longitudes.push_back(tied.fix.position.longitude);
+    altitudes.push_back(tied.fix.position.altitude);
+  }
+  const GeodeticPosition middle{medianOf(std::move(latitudes)), medianOf(std::move(longitudes)),
+                                medianOf(std::move(altitudes))};
+  if (enu_->toEnu(middle).norm() < kFarFromOrigin) return;
+  enu_.emplace(middle);
+  for (Tied& tied : fixes_) tied.p_enu = enu_->toEnu(tied.fix.position);
 }
 
 std::size_t GnssFactors::countOf(std::size_t nodes) const {

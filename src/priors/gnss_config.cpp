@@ -2,6 +2,7 @@
 #include "revisit_slam/priors/gnss_config.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "revisit_slam/util/number_list.h"
 
@@ -21,6 +22,16 @@ std::optional<GeodeticPosition> GnssConfig::givenDatum() const {
   if (std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0)
     throw ParameterError("parameter 'gnss/datum' is '" + datum + "', not " + form);
   return GeodeticPosition{numbers[0], numbers[1], numbers[2]};
+}
+
+GnssConfig GnssConfig::withDatumOf(const std::optional<GeodeticPosition>& map) const {
+  GnssConfig config = *this;
+  if (!map || givenDatum()) return config;
+  char text[128];
+  std::snprintf(text, sizeof(text), "%.10f %.10f %.4f", map->latitude, map->longitude,
+                map->altitude);
+  config.datum = text;
+  return config;
 }
 
 }  // namespace revisit_slam

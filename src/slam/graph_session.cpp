@@ -19,16 +19,21 @@ SlamGraph beginGraph(const SlamConfig& config, const KnownMapPtr& prior) {
   return graph;
 }
 
+SlamConfig withDatumOf(const KnownMapPtr& prior, SlamConfig config) {
+  if (prior) config.gnss = config.gnss.withDatumOf(prior->session.info.datum);
+  return config;
+}
+
 }  // namespace
 
 GraphSession::GraphSession(SessionId id, const SlamConfig& config, Stamp start,
                            const SessionTarget& target, OnCorrection on_correction)
     : id_(id),
-      config_(config),
-      graph_(beginGraph(config, target.prior)),
+      config_(withDatumOf(target.prior, config)),
+      graph_(beginGraph(config_, target.prior)),
       scans_before_(graph_.size()),
       on_correction_(std::move(on_correction)),
-      log_(id, config, start, target, graph_) {
+      log_(id, config_, start, target, graph_) {
   if (scans_before_ > 0) last_optimised_ = graph_.nodes().back().id;
 }
 

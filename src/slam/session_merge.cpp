@@ -12,13 +12,28 @@
 #include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
+namespace {
+
+std::shared_ptr<SubmapLibrary> libraryOf(const SlamConfig& config,
+                                         const std::vector<KnownMap>& maps) {
+  auto library = std::make_shared<SubmapLibrary>(config.mapping.cacheBytes());
+  for (const KnownMap& map : maps) library->addStored(map.library);
+  return library;
+}
+
+SlamConfig withDatumOf(const KnownMap& first, SlamConfig config) {
+  config.gnss = config.gnss.withDatumOf(first.session.info.datum);
+  return config;
+}
+
+}  // namespace
 
 SessionMerge::SessionMerge(const SlamConfig& config, const std::vector<KnownMap>& maps,
                            OnSearch on_search)
-    : config_(config),
+    : config_(withDatumOf(maps.front(), config)),
       maps_(maps),
-      graph_(config.backend, config.gnss, config.gravity),
-      closing_(config, outputs(std::move(on_search))) {
+      graph_(config_.backend, config_.gnss, config_.gravity),
+      closing_(config_, outputs(std::move(on_search)), libraryOf(config, maps)) {
   addMaps();
   const ScanId last = graph_.nodes().back().id;
   tbb::task_arena(config.background.threads).execute([&] {

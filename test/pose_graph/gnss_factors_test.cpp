@@ -193,6 +193,38 @@ TEST(GnssFactors, WithoutADatumTheFirstPositionIsIt) {
   EXPECT_LT((graph.georeference()->T_enu_map.translation).norm(), 8.0);
 }
 
+/// Receivers say 0, 0 before they know.
+TEST(GnssFactors, AFirstPositionFarFromAllOthersIsAnOutlierAndNothingElse) {
+  for (const char* datum : {"48.1 11.6 520", ""}) {
+    GnssConfig config = connected();
+    config.datum = datum;
+    std::vector<GraphNode> nodes = nodesOf({});
+    nodes[0].fixes[0].position = {0.0, 0.0, 0.0};
+    SlamGraph graph({}, config);
+    for (const GraphNode& node : nodes) graph.add(node);
+    ASSERT_TRUE(graph.optimise(ScanId{kNodes - 1}, {}));
+    ASSERT_TRUE(graph.georeference());
+    EXPECT_NEAR(graph.georeference()->datum.latitude, 48.1, 0.01);
+    EXPECT_GE(graph.georeference()->outliers, 1u);
+    if (!std::string(datum).empty()) {
+      EXPECT_LT(absoluteError(graph), 0.8);
+    }
+  }
+}
+
+TEST(GnssFactors, TheDatumOfAMapIsTakenWhereNoneIsGiven) {
+  const GeodeticPosition map{-33.5, 151.25, 12.5};
+  GnssConfig config = connected();
+  EXPECT_EQ(config.withDatumOf(map).datum, config.datum);
+  config.datum.clear();
+  EXPECT_EQ(config.withDatumOf(std::nullopt).datum, "");
+  const auto taken = config.withDatumOf(map).givenDatum();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->latitude, map.latitude);
+  EXPECT_EQ(taken->longitude, map.longitude);
+  EXPECT_EQ(taken->altitude, map.altitude);
+}
+
 TEST(GnssFactors, ADatumThatIsNoneIsRefused) {
   for (const char* datum : {"48.1", "48.1 11.6", "91 0 0", "a b c", "1 2 3 4"}) {
     GnssConfig config;

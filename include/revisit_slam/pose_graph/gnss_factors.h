@@ -62,6 +62,7 @@ class GnssFactors {
     Eigen::Matrix3d information;
   };
 
+  void placeOrigin();
   std::size_t countOf(std::size_t nodes) const;
   std::optional<Pose> bestStart(const PoseGraph& graph, const std::vector<const Tied*>& fixes,
                                 double& deviation) const;
@@ -70,7 +71,7 @@ class GnssFactors {
 
   GnssConfig config_;
   std::optional<GeodeticPosition> given_datum_;
-  std::optional<LocalEnu> enu_;  // at the first position: near, whatever datum is given
+  std::optional<LocalEnu> enu_;  // near the positions, whatever datum is given
   std::vector<Tied> fixes_;      // in the order of the nodes with which they came
   std::size_t used_ = 0;         // by the last solution, with those in other maps
   std::optional<Pose> T_map_enu_;

@@ -29,6 +29,9 @@ struct GnssConfig {
   std::optional<Eigen::Vector3d> antennaInBase() const;
   std::optional<GeodeticPosition> givenDatum() const;
 
+  /// Where none is given, with the one of the map that a session goes on from.
+  GnssConfig withDatumOf(const std::optional<GeodeticPosition>& map) const;
+
   template <typename Visitor>
   void visit(Visitor& v) {
     v("topic", topic, Choices{}, "",

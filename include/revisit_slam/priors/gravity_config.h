@@ -25,7 +25,7 @@ struct GravityConfig {
     v("deviation", deviation, Range{1e-5, 1.0}, "rad",
       "standard deviation of a measured direction of gravity. Raise it if the map bends where the "
       "robot accelerates; lower it if heights drift");
-    v("bias", bias, Range{0.0, 1.0}, "rad",
+    v("bias", bias, Range{1e-5, 1.0}, "rad",
       "standard deviation of the directions' constant error, by the bias of the accelerometer and "
       "by its transform. Raise it for a unit that is mounted by eye; lower it for a calibrated "
       "one");

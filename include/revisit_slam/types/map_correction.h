@@ -11,6 +11,7 @@
 #include "revisit_slam/types/georeference.h"
 #include "revisit_slam/types/loop_edge.h"
 #include "revisit_slam/types/pose.h"
+#include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
 
@@ -34,6 +35,11 @@ struct MapCorrection {
   /// How far the end of the optimised trajectory moved, m.
   double moved_end = 0.0;
   double seconds = 0.0;  ///< of optimisation
+
+  /// Whether loops tie a session to the first one, whose the map is.
+  bool places(SessionId of_session) const {
+    return begin.empty() || SessionGroups(loops).areTied(of_session, begin.begin()->first);
+  }
 };
 
 using MapCorrectionPtr = std::shared_ptr<const MapCorrection>;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
-#include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
 
@@ -17,7 +17,10 @@ MapBroadcaster::MapBroadcaster(const FramesConfig& frames, const LiveConfig& liv
 void MapBroadcaster::onScan(const RegisteredScan& scan) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool anew = scan.id.session != session_;
-  if (anew) is_placed_ = scan.goes_on_from == nullptr;
+  if (anew) {
+    is_placed_ = scan.goes_on_from == nullptr;
+    T_earth_map_.reset();
+  }
   takeLocked(scan, anew ? Pose::identity() : T_map_odom_);
 }
 
@@ -43,14 +46,24 @@ void MapBroadcaster::takeLocked(const RegisteredScan& scan, const Pose& T_map_od
 }
 
 void MapBroadcaster::correct(const MapCorrection& correction) {
-  const SessionId session = correction.session;
-  const bool is_tied = SessionGroups(correction.loops).of(session) != session;
-  const bool is_alone = correction.begin.size() <= 1;
+  const bool is_placed = correction.places(correction.session);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (session != session_) return;
-  is_placed_ = is_alone || is_tied;
+  if (correction.session != session_) return;
+  is_placed_ = is_placed;
   T_map_odom_ = correction.T_map_odom;
+  tieToEarthLocked(correction.georeference);
   broadcastLocked(true);
+}
+
+void MapBroadcaster::tieToEarth(const std::optional<Georeference>& georeference) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tieToEarthLocked(georeference);
+}
+
+void MapBroadcaster::tieToEarthLocked(const std::optional<Georeference>& georeference) {
+  T_earth_map_.reset();
+  if (georeference)
+    T_earth_map_ = LocalEnu(georeference->datum).T_ecef_enu() * georeference->T_enu_map;
 }
 
 void MapBroadcaster::forget() {
@@ -64,13 +77,7 @@ void MapBroadcaster::broadcast() {
 }
 
 void MapBroadcaster::broadcastLocked(bool at_once) {
-  if (!session_ || !is_placed_ || !live_.broadcast_map) return;
-  Pose T_map_odom = T_map_odom_;
-  if (robot_odometry_) {
-    const std::optional<Pose> T_own_robot = robot_odometry_->placed();
-    if (!T_own_robot) return;
-    T_map_odom = T_map_odom_ * *T_own_robot;
-  }
+  if (!session_ || !is_placed_) return;
   // Not far ahead of scans that come late: what is dated ahead is what they are placed by.
   constexpr double kLongest = 0.2;  // s
   const double since_scan = std::clamp((ros::Time::now() - newest_arrival_).toSec(), 0.0, kLongest);
@@ -82,14 +89,28 @@ void MapBroadcaster::broadcastLocked(bool at_once) {
     if (!at_once && (now - last_sent_).toSec() < kRest) return;
     stamp = last_broadcast_.plusSeconds(1e-6);  // tf ignores a second one of the same time
   }
+  const std::vector<geometry_msgs::TransformStamped> transforms = transformsLocked(stamp);
+  if (transforms.empty()) return;
   last_broadcast_ = stamp;
   last_sent_ = now;
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = toRosTime(stamp);
-  message.header.frame_id = frames_.map;
-  message.child_frame_id = frames_.odom;
-  message.transform = toTransformMessage(T_map_odom);
-  broadcaster_.sendTransform(message);
+  broadcaster_.sendTransform(transforms);
+}
+
+std::vector<geometry_msgs::TransformStamped> MapBroadcaster::transformsLocked(Stamp stamp) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  const auto add = [&](const std::string& parent, const std::string& child, const Pose& T) {
+    geometry_msgs::TransformStamped& message = transforms.emplace_back();
+    message.header.stamp = toRosTime(stamp);
+    message.header.frame_id = parent;
+    message.child_frame_id = child;
+    message.transform = toTransformMessage(T);
+  };
+  if (T_earth_map_ && !frames_.earth.empty()) add(frames_.earth, frames_.map, *T_earth_map_);
+  if (!live_.broadcast_map) return transforms;
+  const std::optional<Pose> T_own_robot =
+      robot_odometry_ ? robot_odometry_->placed() : Pose::identity();
+  if (T_own_robot) add(frames_.map, frames_.odom, T_map_odom_ * *T_own_robot);
+  return transforms;
 }
 
 }  // namespace revisit_slam

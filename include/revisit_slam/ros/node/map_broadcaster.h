@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "revisit_slam/ros/node/robot_odometry.h"
 #include "revisit_slam/slam/slam_config.h"
@@ -20,7 +22,8 @@ namespace revisit_slam {
 
 /// Broadcasts where the odometry frame is in the map: our own or, where live/broadcast_odom is
 /// false, that of the robot, T_map_odom = T_map_base * T_odom_base^-1 at the stamp of a scan. Time
-/// runs on a little from the newest scan, whatever clock its stamps are from. May be used from any
+/// runs on a little from the newest scan, whatever clock its stamps are from. Where the map lies on
+/// the earth is broadcast with it, if that is known and frames/earth is named. May be used from any
 /// thread; none waits for another for long.
 class MapBroadcaster {
  public:
@@ -33,6 +36,8 @@ class MapBroadcaster {
   void place(const RegisteredScan& scan, const Pose& T_map_odom);
   /// Broadcasts a correction at once, unless it is of another session.
   void correct(const MapCorrection& correction);
+  /// Where the map lies on the earth, until a session begins on a map of its own; none: not known.
+  void tieToEarth(const std::optional<Georeference>& georeference);
   /// Nothing is known any longer, until a scan comes.
   void forget();
   /// Nothing before the first scan, nor twice for the same time: without new scans once a second,
@@ -40,8 +45,10 @@ class MapBroadcaster {
   void broadcast();
 
  private:
+  void tieToEarthLocked(const std::optional<Georeference>& georeference);
   void takeLocked(const RegisteredScan& scan, const Pose& T_map_odom);
   void broadcastLocked(bool at_once);
+  std::vector<geometry_msgs::TransformStamped> transformsLocked(Stamp stamp);
 
   const FramesConfig frames_;
   const LiveConfig live_;
@@ -52,6 +59,7 @@ class MapBroadcaster {
   bool is_placed_ = true;                          // it is known where the session lies in the map
   Pose T_map_odom_;                                // of our own odometry
   std::unique_ptr<RobotOdometry> robot_odometry_;  // null: there is only our own
+  std::optional<Pose> T_earth_map_;
   Stamp newest_scan_;
   ros::Time newest_arrival_;
   Stamp last_broadcast_;
