@@ -207,5 +207,23 @@ TEST_F(SessionMergeTest, ADriveElsewhereKeepsAMapOfItsOwn) {
     ASSERT_LT((T_map_scan[i].translation - alone[i].translation).norm(), 0.01) << i;
 }
 
+/// It may be tied to a drive that is not tied to the map either.
+TEST_F(SessionMergeTest, ADriveIsInTheMapWhereLoopsTieItToTheFirstSession) {
+  const auto tie = [](std::uint32_t source, std::uint32_t target) {
+    LoopEdge edge;
+    edge.loop.source.session = SessionId{source};
+    edge.loop.target.session = SessionId{target};
+    return edge;
+  };
+  MapCorrection correction;
+  correction.session = SessionId{2};
+  correction.begin = {{SessionId{0}, 0}, {SessionId{1}, 100}, {SessionId{2}, 200}};
+  EXPECT_FALSE(correction.places(SessionId{2}));
+  correction.loops = {tie(2, 1)};
+  EXPECT_FALSE(correction.places(SessionId{2}));
+  correction.loops.push_back(tie(1, 0));
+  EXPECT_TRUE(correction.places(SessionId{2}));
+}
+
 }  // namespace
 }  // namespace revisit_slam

@@ -79,6 +79,7 @@ class GraphSession {
   const std::vector<SubmapPtr>& submaps() const { return log_.submaps(); }
   /// With points. @throws std::runtime_error where they cannot be read.
   SubmapPtr whole(const Submap& submap) const { return log_.whole(submap); }
+  std::size_t pointsOf(const Submap& submap) const { return log_.pointsOf(submap); }
   /// Null where occupancy is switched off, or cannot be read.
   SubmapOccupancyPtr occupancy(const Submap& submap) const { return log_.occupancy(submap); }
   /// What the session goes on from; null: nothing.
@@ -86,6 +87,8 @@ class GraphSession {
   /// Whether it is known where the session lies in the map: it goes on from none, or loops tie it
   /// to the one that it goes on from.
   bool isPlaced() const;
+  /// Whether loops tie another session of the graph to the first one, whose the map is.
+  bool isPlaced(SessionId session) const;
   /// Whether this scan of the session is in the graph.
   bool has(ScanId scan) const { return scans_before_ + scan.value < graph_.size(); }
   /// How many scans of sessions that were mapped before are in the graph, the first ones.

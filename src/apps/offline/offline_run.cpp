@@ -7,7 +7,6 @@
 
 #include "revisit_slam/ros/input/bag_scans.h"
 #include "revisit_slam/slam/drop_remedies.h"
-#include "revisit_slam/types/session_groups.h"
 #include "revisit_slam/util/interruption.h"
 #include "revisit_slam/util/process_usage.h"
 
@@ -253,10 +252,10 @@ void OfflineRun::onSession(GraphSession& session) {
 /// Whether the drive has found its way into the map that it goes on from.
 void OfflineRun::sayWhetherJoined(const GraphSession& session) {
   if (first_session_ == SessionId{} || session.id() != first_session_) return;
-  const SessionGroups groups(session.graph().loops());
-  progress_.say(groups.of(session.id()) == session.id()
-                    ? "the drive was not found in the map that it should extend: no loop ties them"
-                    : "the drive is in the map that it extends");
+  progress_.say(
+      session.isPlaced()
+          ? "the drive is in the map that it extends"
+          : "the drive was not found in the map that it should extend: no loop ties them");
 }
 
 void OfflineRun::exportMaps(GraphSession& session) {

@@ -99,7 +99,7 @@ void MapDisplay::add(const LoopSearchResult& search) {
 
 /// Whether it is known where the session lies in the map.
 bool MapDisplay::isPlaced() const {
-  return prior_maps_.empty() || SessionGroups(correction_->loops).of(session_) != session_;
+  return prior_maps_.empty() || correction_->places(session_);
 }
 
 Pose MapDisplay::placeOf(const Submap& submap) const {
