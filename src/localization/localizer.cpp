@@ -84,15 +84,18 @@ Localization Localizer::add(const InformedScan& informed) {
 
 void Localizer::go(const InformedScan& informed) {
   const RegisteredScan& scan = *informed.scan;
-  if (!has_scans_ || now_.scan.session != scan.id.session)
+  if (!has_scans_ || now_.scan.session != scan.id.session) {
     beginSession(informed);
-  else
+  } else {
     covariance_.move(T_odom_base_.inverse() * scan.T_odom_base, informed.covariance_motion);
+    if (informed.verdict == PoseVerdict::lost) beginTrack();
+  }
   now_.scan = scan.id;
   T_odom_base_ = scan.T_odom_base;
   window_.add(nodeOf(informed));
   window_.shorten(config_.localization.window);
   if (++scans_ > kBentScans) recent_.insert(scan);
+  if (recent_.open() > 0.5 * config_.localization.open_length) recent_.cut();
 }
 
 /// Of a place that may be as far off as a registration may move it.
@@ -100,23 +103,32 @@ Matrix6 Localizer::guessCovariance() const {
   return diagonal(config_.loops.closer.max_translation, config_.loops.closer.max_rotation);
 }
 
+/// What came before does not tell where the base is now. What was known of the pose is carried on,
+/// with its covariance, until the map confirms or refutes it.
+void Localizer::beginTrack() {
+  recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length, config_.scale);
+  window_ = PoseWindow(config_.backend);
+  hypotheses_.clear();
+  fixed_at_ = -now_.since_fix;
+  searched_at_ = started_at_ = 0.0;
+  scans_ = 0;
+  attempted_at_ = -config_.localization.interval;  // at once
+  if (now_.state == LocalizationState::localized) now_.state = LocalizationState::lost;
+  if (now_.state == LocalizationState::candidate && !start_)
+    now_.state = LocalizationState::searching;
+}
+
 /// Another session has an odometry frame of its own; the base has gone on from where it was.
 void Localizer::beginSession(const InformedScan& informed) {
   const bool is_first = !has_scans_;
   const bool was_known = has_scans_ && now_.state != LocalizationState::searching;
   const Pose T_map_base = now_.T_map_odom * T_odom_base_;
-  recent_ = RecentMap(config_.submap_voxel_size, config_.localization.search_length, config_.scale);
-  window_ = PoseWindow(config_.backend);
-  hypotheses_.clear();
-  fixed_at_ = searched_at_ = started_at_ = 0.0;
-  scans_ = 0;
-  attempted_at_ = -config_.localization.interval;  // at once
+  beginTrack();
   has_scans_ = true;
   T_odom_base_ = informed.scan->T_odom_base;
   if (is_first && start_) now_.T_map_odom = *start_ * T_odom_base_.inverse();
   if (was_known) now_.T_map_odom = T_map_base * T_odom_base_.inverse();
   if (start_) start_ = now_.T_map_odom;
-  if (now_.state == LocalizationState::localized) now_.state = LocalizationState::lost;
 }
 
 bool Localizer::isDue(double& last, double interval) const {
@@ -129,15 +141,40 @@ void Localizer::attempt() {
   const LocalizationConfig& config = config_.localization;
   // Whoever has given a pose waits for it.
   const bool hurries = start_ && recent_.travelled() - started_at_ < config.open_length;
-  if (!isDue(attempted_at_, hurries ? 0.2 * config.interval : config.interval)) return;
-  recent_.cut();
-  if (start_ && tryStart()) return;
-  if (now_.state == LocalizationState::localized || now_.state == LocalizationState::lost) track();
+  if (isDue(attempted_at_, hurries ? 0.2 * config.interval : config.interval)) {
+    recent_.cut();
+    forgetOldGuesses();
+    if (start_ && tryStart()) return;
+    if (now_.state == LocalizationState::localized || now_.state == LocalizationState::lost)
+      track();
+  }
   if (now_.state == LocalizationState::localized) {
     if (recent_.travelled() - fixed_at_ <= config.lost_after) return;
     now_.state = LocalizationState::lost;
   }
-  if (isDue(searched_at_, config.search_interval)) searchPlaces();
+  if (!isDue(searched_at_, config.search_interval)) return;
+  recent_.cut();
+  searchPlaces();
+}
+
+/// Travelled distance after which a place that came up is no longer looked for, m.
+double Localizer::patience() const {
+  // The next attempts come at least, however rare they are.
+  const LocalizationConfig& config = config_.localization;
+  return std::max(config.search_length,
+                  2.5 * std::max({config.interval, config.search_interval, config.open_length}));
+}
+
+/// A place, given or recognised, that nothing has confirmed for so long is none.
+void Localizer::forgetOldGuesses() {
+  const double oldest = recent_.travelled() - patience();
+  hypotheses_.erase(
+      std::remove_if(hypotheses_.begin(), hypotheses_.end(),
+                     [&](const Hypothesis& hypothesis) { return hypothesis.travelled < oldest; }),
+      hypotheses_.end());
+  if (start_ && started_at_ < oldest) start_.reset();
+  if (now_.state == LocalizationState::candidate && !start_ && hypotheses_.empty())
+    now_.state = LocalizationState::searching;
 }
 
 SubmapPtr Localizer::openSubmap() const {
@@ -170,10 +207,7 @@ bool Localizer::tryStart() {
 void Localizer::track() {
   const SubmapPtr open = openSubmap();
   const Pose T_map_base = now_.T_map_odom * T_odom_base_;
-  if (now_.state == LocalizationState::lost) {
-    tryPlace(open, T_map_base);
-    return;
-  }
+  if (now_.state == LocalizationState::lost) return tryPlaces(open, {T_map_base});
   const MapMatch match =
       matcher_.track(open, T_map_base, recent_.travelled() - fixed_at_, covariance_.base());
   note(match);
@@ -181,20 +215,32 @@ void Localizer::track() {
 }
 
 void Localizer::searchPlaces() {
-  const SubmapPtr open = openSubmap();
   const LocalMap local = recent_.localMap(config_.localization.search_length);
-  for (const Pose& T_map_base : places_.search(local)) {
-    tryPlace(open, T_map_base);
-    if (now_.state == LocalizationState::localized) return;
-  }
+  tryPlaces(openSubmap(), places_.search(local));
 }
 
-void Localizer::tryPlace(const SubmapPtr& open, const Pose& T_map_base) {
-  const MapMatch match = matcher_.relocate(open, T_map_base);
-  note(match);
-  if (!match.accepted) return;
-  const Pose T_map_odom = match.T_map_open * T_odom_base_.inverse();
-  if (agreesWithAny(T_map_odom)) return believe(match);
+/// A place that two registrations confirm is believed, unless they confirm another one as well.
+void Localizer::tryPlaces(const SubmapPtr& open, const std::vector<Pose>& T_map_base) {
+  std::vector<MapMatch> accepted, confirmed;
+  for (const Pose& guess : T_map_base) {
+    const MapMatch match = matcher_.relocate(open, guess);
+    if (accepted.empty() || match.accepted) note(match);
+    if (match.accepted) accepted.push_back(match);
+    if (match.accepted && agreesWithAny(odomOf(match))) confirmed.push_back(match);
+  }
+  const auto is_elsewhere = [&](const MapMatch& match) {
+    return !areNear(odomOf(match), odomOf(confirmed.front()), 0.0);
+  };
+  if (!confirmed.empty() && std::none_of(confirmed.begin(), confirmed.end(), is_elsewhere))
+    return believe(confirmed.front());
+  for (const MapMatch& match : accepted) guessAt(odomOf(match));
+}
+
+Pose Localizer::odomOf(const MapMatch& match) const {
+  return match.T_map_open * T_odom_base_.inverse();
+}
+
+void Localizer::guessAt(const Pose& T_map_odom) {
   hypotheses_.push_back({T_map_odom, recent_.travelled()});
   if (now_.state == LocalizationState::searching) now_.state = LocalizationState::candidate;
   if (now_.state == LocalizationState::candidate && !start_) {
@@ -212,13 +258,16 @@ bool Localizer::agreesWithAny(const Pose& T_map_odom) const {
 bool Localizer::agrees(const Hypothesis& hypothesis, const Pose& T_map_odom) const {
   const LocalizationConfig& config = config_.localization;
   const double apart = recent_.travelled() - hypothesis.travelled;
-  // The next attempts come at least, however rare they are.
-  const double farthest =
-      std::max(config.search_length, 2.5 * std::max(config.interval, config.search_interval));
-  if (apart < config.interval || apart > farthest) return false;
+  // What has been registered twice must not be the same surroundings.
+  const double nearest = std::max(config.interval, config.open_length);
+  return apart >= nearest && apart <= patience() &&
+         areNear(hypothesis.T_map_odom, T_map_odom, apart);
+}
+
+/// Whether both place the base alike, after a way of `apart` m.
+bool Localizer::areNear(const Pose& T_map_odom, const Pose& T_other_odom, double apart) const {
   const PairwiseConsistencyConfig& consistency = config_.loops.closer.consistency;
-  const Pose difference =
-      (hypothesis.T_map_odom * T_odom_base_).inverse() * (T_map_odom * T_odom_base_);
+  const Pose difference = (T_map_odom * T_odom_base_).inverse() * (T_other_odom * T_odom_base_);
   return difference.translation.norm() <=
              consistency.translation + consistency.translation_drift * apart &&
          difference.angle() * 180.0 / M_PI <=

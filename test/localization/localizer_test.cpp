@@ -169,9 +169,54 @@ TEST_F(LocalizerTest, APoseIsConfirmedWhileTheBaseStands) {
   EXPECT_FALSE(localizer.add(scans.back()).attempted);
 }
 
+/// The last metres before are no evidence of where the base is now.
+TEST_F(LocalizerTest, WhereTheOdometryIsLostThePoseIsNotConfirmedByWhatWasSeenBefore) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  const std::vector<Pose> way = this->way(50);
+  std::vector<InformedScan> scans = scansAlong(way);
+  const std::size_t lost_at = kStands + 4;
+  scans[lost_at].verdict = PoseVerdict::lost;
+  double since_fix = 0.0;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const Localization now = localizer.add(i < lost_at ? scans[i] : withoutPoints(scans[i]));
+    if (i < kStands) continue;
+    EXPECT_EQ(now.state, i < lost_at ? LocalizationState::localized : LocalizationState::lost) << i;
+    if (i > lost_at) {
+      EXPECT_GE(now.since_fix, since_fix);
+    }
+    since_fix = now.since_fix;
+  }
+}
+
+TEST_F(LocalizerTest, AfterALossItIsFoundWhereItIs) {
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(T_map_street() * poseAt(0.0, 1.0));
+  std::vector<Pose> way(kStands, poseAt(0.0, 1.0));
+  for (double x = 0.0; x < 60.0; x += 1.5) way.push_back(poseAt(x, 1.0));
+  std::vector<InformedScan> scans = scansAlong(way);
+  scans[kStands + 12].verdict = PoseVerdict::lost;
+  Localization now;
+  for (std::size_t i = 0; i < scans.size(); ++i) now = localizer.add(scans[i]);
+  EXPECT_EQ(now.state, LocalizationState::localized) << now.reason;
+  EXPECT_LT(errorAt(now, way.back()), 0.1);
+}
+
+TEST_F(LocalizerTest, APoseThatNothingConfirmsIsGivenUp) {
+  config_.localization.search_length = 10.0;  // 37.5 m: 2.5 times open_length
+  Localizer localizer(config_, streetMap());
+  localizer.startAt(start(0.0));
+  std::vector<LocalizationState> states;
+  for (const InformedScan& scan : scansAlong(way(60)))
+    states.push_back(localizer.add(withoutPoints(scan)).state);
+  EXPECT_EQ(states[kStands + 7], LocalizationState::candidate);  // after 35 m
+  EXPECT_EQ(states.back(), LocalizationState::searching);
+}
+
 /// However rare attempts are, the one after next can confirm what the first has found.
 TEST_F(LocalizerTest, RareAttemptsConfirmEachOther) {
   config_.localization.interval = config_.localization.search_length = 10.0;
+  config_.localization.open_length = 10.0;
   config_.localization.lost_after = 15.0;
   Localizer localizer(config_, streetMap());
   localizer.startAt(T_map_street() * poseAt(0.0, 1.0));

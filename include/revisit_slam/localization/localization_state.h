@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "revisit_slam/types/ids.h"
@@ -31,8 +32,8 @@ struct Localization {
   double since_fix = 0.0;                ///< m, travelled since a registration passed the gates
 
   /// Of the last attempt to register the last metres to the map:
-  bool attempted = false;  ///< with this scan
-  SubmapId target;
+  bool attempted = false;                 ///< with this scan
+  std::optional<SubmapId> target;         ///< none: off the map
   double overlap = 0.0, coherence = 0.0;  ///< 0 … 1
   std::string reason;                     ///< why it failed; empty: it did not
 };

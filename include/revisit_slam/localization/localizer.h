@@ -29,8 +29,8 @@ struct LocalizerConfig {
 /// Follows a drive through the map of an earlier session. The last metres are registered to the map
 /// every few metres, and a graph of the last odometry edges and these registrations gives
 /// T_map_odom. A place that is recognised is believed when a second recognition agrees, after a way
-/// that the odometry tells. What it says depends on the order of calls alone. All its work runs in
-/// the current TBB arena.
+/// that the odometry tells, and none agrees on another place. What it says depends on the order of
+/// calls alone. All its work runs in the current TBB arena.
 class Localizer {
  public:
   Localizer(const LocalizerConfig& config, PriorMapPtr map);
@@ -48,6 +48,7 @@ class Localizer {
     double travelled;  // m, when it came up
   };
 
+  void beginTrack();
   void beginSession(const InformedScan& informed);
   void go(const InformedScan& informed);
   Matrix6 guessCovariance() const;
@@ -55,9 +56,14 @@ class Localizer {
   void track();
   void searchPlaces();
   bool tryStart();
-  void tryPlace(const SubmapPtr& open, const Pose& T_map_base);
+  void tryPlaces(const SubmapPtr& open, const std::vector<Pose>& T_map_base);
+  Pose odomOf(const MapMatch& match) const;
+  void guessAt(const Pose& T_map_odom);
   bool agreesWithAny(const Pose& T_map_odom) const;
   bool agrees(const Hypothesis& hypothesis, const Pose& T_map_odom) const;
+  bool areNear(const Pose& T_map_odom, const Pose& T_other_odom, double apart) const;
+  double patience() const;
+  void forgetOldGuesses();
   void believe(const MapMatch& match);
   void note(const MapMatch& match);
   bool isDue(double& last, double interval) const;

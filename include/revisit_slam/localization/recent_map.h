@@ -27,6 +27,8 @@ class RecentMap {
 
   /// Travelled since the first scan, m.
   double travelled() const { return travelled_.metres(); }
+  /// Of the slice that is open, m.
+  double open() const { return open_.T_odom_scan.empty() ? 0.0 : travelled() - open_.begin; }
   /// How much of that is kept, m.
   double kept() const;
 

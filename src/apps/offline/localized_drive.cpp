@@ -13,7 +13,8 @@ LocalizedDrive::LocalizedDrive(const SlamConfig& config, const RunFolder& folder
       stage_(config, notices_),
       trajectory_(folder.file("localized.tum")),
       states_(folder.file("localization.csv"),
-              "stamp,scan,state,since_fix_m,attempted,target,overlap,coherence,sigma_x,sigma_y,"
+              "stamp,scan,state,since_fix_m,attempted,target,target_session,overlap,coherence,"
+              "sigma_x,sigma_y,"
               "sigma_z,reason\n") {
   for (const std::string& notice : notices_) say_(notice);
 }
@@ -23,8 +24,12 @@ void LocalizedDrive::add(const InformedScan& informed) {
   saySo(now);
   std::ostringstream state;
   state << stampText(now.stamp) << "," << now.scan.value << "," << toString(now.state) << ","
-        << now.since_fix << "," << now.attempted << "," << now.target.value << "," << now.overlap
-        << "," << now.coherence;
+        << now.since_fix << "," << now.attempted << ",";
+  if (now.target)
+    state << now.target->value << "," << now.target->session.value;
+  else
+    state << ",";
+  state << "," << now.overlap << "," << now.coherence;
   for (int axis = 0; axis < 3; ++axis) state << "," << std::sqrt(now.covariance(axis, axis));
   state << "," << now.reason << "\n";
   states_.add(state.str());
