@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -63,6 +65,7 @@ MapMatcher::MapMatcher(PriorMapPtr map, LoopCloserConfig closer,
       fine_(withoutCoarseLevels(config_), information),
       tracking_(withoutCoarseLevels(config_), information) {}
 
+/// Without points.
 std::vector<PlacedSubmap> MapMatcher::near(const Eigen::Vector3d& position) const {
   std::vector<PlacedSubmap> near;
   for (const PlacedSubmap& placed : map_->submaps) {
@@ -76,11 +79,33 @@ std::vector<PlacedSubmap> MapMatcher::near(const Eigen::Vector3d& position) cons
   return near;
 }
 
+/// Those that can be read. @throws std::runtime_error where that is none of them.
+std::vector<PlacedSubmap> MapMatcher::whole(const std::vector<PlacedSubmap>& submaps) const {
+  std::vector<PlacedSubmap> whole;
+  std::exception_ptr error;
+  for (const PlacedSubmap& placed : submaps) {
+    try {
+      whole.push_back(map_->whole(placed));
+    } catch (const std::runtime_error&) {
+      error = std::current_exception();
+    }
+  }
+  if (whole.empty() && error) std::rethrow_exception(error);
+  return whole;
+}
+
 MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
                            const Pose& T_map_open) const {
   MapMatch match;
+  std::vector<PlacedSubmap> targets;
+  try {
+    targets = whole(near(T_map_open.translation));
+  } catch (const std::runtime_error& error) {  // the folder of the map is gone
+    match.reason = error.what();
+    return match;
+  }
   const std::vector<LoopProposal> proposals =
-      closer.close({{open, T_map_open}}, near(T_map_open.translation), LoopOrigin::appearance);
+      closer.close({{open, T_map_open}}, targets, LoopOrigin::appearance);
   if (proposals.empty()) {
     match.reason = "off the map";
     return match;
@@ -108,7 +133,9 @@ MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double
   reach.degrees = std::max(
       reach.degrees, 3.0 * 180.0 / M_PI * largestDeviation(covariance.bottomRightCorner<3, 3>()));
   LoopCloserConfig config = withoutCoarseLevels(config_);
-  config.max_translation = std::min(config.max_translation, reach.metres);
+  // Which the loop closer makes smaller where the surroundings are narrow.
+  const double scale = scaleOf({{open, T_map_open}}, near(T_map_open.translation));
+  config.max_translation = std::min(config.max_translation, reach.metres / scale);
   tracking_.reconfigure(config);
   return follow(tracking_, open, T_map_open, reach);
 }

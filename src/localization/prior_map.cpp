@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/session/session_reader.h"
-#include "revisit_slam/session/stored_submap.h"
 #include "revisit_slam/util/parameters.h"
 
 namespace revisit_slam {
@@ -19,14 +19,17 @@ namespace {
 class PriorMapReader {
  public:
   PriorMapReader(const std::string& folder, const PlaceRecognitionConfig& recognition,
-                 std::vector<std::string>& notices)
-      : session_(readSession(folder, notices)), recognition_(recognition), notices_(notices) {}
+                 std::size_t cache_bytes, std::vector<std::string>& notices)
+      : session_(readSession(folder, notices)), recognition_(recognition), notices_(notices) {
+    map_.library = std::make_shared<SubmapLibrary>(cache_bytes);
+  }
 
   PriorMap read() {
     session_ = tiedTo(session_.info.id, std::move(session_));
     scans_ = scansOf(session_.graph);
     map_.info = session_.info;
     map_.T_map_scan = session_.graph.T_map_scan;
+    map_.georeference = session_.graph.georeference;
     std::set<LocalMapId> places;
     for (const SubmapClosed& submap : session_.submaps) {
       attempt([&] { readOne(submap); }, "without submap " + std::to_string(submap.id.value));
@@ -48,14 +51,16 @@ class PriorMapReader {
   }
 
   void readOne(const SubmapClosed& closed) {
-    const MapUpdate update =
-        readSubmap(submapFile(session_.folder, closed.id, session_.info.id),
-                   {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
-    if (update.submap->points.size() != update.submap->normals.size())
-      throw std::runtime_error("not as many normals as points");
+    const auto read = [folder = session_.folder, owner = session_.info.id, closed] {
+      return readForLoops(folder, owner, closed);
+    };
+    const auto submap = std::make_shared<const Submap>(read());
     const Pose& T_map_submap = session_.graph.T_map_scan.at(scans_[closed.first_scan]);
     T_map_submap_[closed.id] = T_map_submap;
-    map_.submaps.push_back({update.submap, T_map_submap});
+    map_.library->add(submap, nullptr);
+    map_.library->noteStored(submap->id, read);
+    map_.submaps.push_back({map_.library->light(submap->id), T_map_submap});
+    map_.points += submap->points.size();
   }
 
   void readPlace(LocalMapId id) {
@@ -91,6 +96,10 @@ const Pose& nearest(const std::vector<Pose>& poses, double x, double y) {
 
 }  // namespace
 
+PlacedSubmap PriorMap::whole(const PlacedSubmap& placed) const {
+  return {library->whole(placed.submap->id), placed.T_common_submap};
+}
+
 Pose PriorMap::onGround(double x, double y, double yaw) const {
   const Pose& near = nearest(T_map_scan, x, y);
   const Eigen::Vector3d up = near.rotation * Eigen::Vector3d::UnitZ();
@@ -112,8 +121,8 @@ double PriorMap::distanceTo(const Eigen::Vector3d& position) const {
 }
 
 PriorMapPtr loadPriorMap(const std::string& folder, const PlaceRecognitionConfig& recognition,
-                         std::vector<std::string>& notices) {
-  PriorMap map = PriorMapReader(folder, recognition, notices).read();
+                         std::size_t cache_bytes, std::vector<std::string>& notices) {
+  PriorMap map = PriorMapReader(folder, recognition, cache_bytes, notices).read();
   if (map.submaps.empty())
     throw std::runtime_error("the session '" + folder + "' has no submap that can be used");
   return std::make_shared<const PriorMap>(std::move(map));

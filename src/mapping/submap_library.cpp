@@ -37,6 +37,7 @@ void SubmapLibrary::add(const SubmapPtr& submap, const SubmapOccupancyPtr& occup
   entry.light = withoutPoints(*submap);
   entry.whole = submap;
   entry.occupancy = occupancy;
+  entry.points = submap->points.size();
   kept_bytes_ += bytesOf(entry);
 }
 
@@ -47,6 +48,17 @@ void SubmapLibrary::noteStored(SubmapId id, Read read) {
   if (!is_new) return;
   kept_bytes_ -= bytesOf(entry);
   use(id, entry);
+}
+
+void SubmapLibrary::addStored(const std::shared_ptr<SubmapLibrary>& other) {
+  const std::scoped_lock lock(mutex_, other->mutex_);
+  for (const auto& [id, entry] : other->entries_) {
+    if (!entry.read) continue;
+    Entry& stored = entries_[id];
+    stored.light = entry.light;
+    stored.points = entry.points;
+    stored.read = [other, id = id] { return *other->whole(id); };
+  }
 }
 
 /// Puts it first among those that could be left out.
@@ -97,6 +109,11 @@ SubmapPtr SubmapLibrary::whole(SubmapId id) {
   entry.whole = whole;
   use(id, entry);
   return whole;
+}
+
+std::size_t SubmapLibrary::points(SubmapId id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return entries_.at(id).points;
 }
 
 SubmapPtr SubmapLibrary::inMemory(SubmapId id) const {

@@ -79,7 +79,13 @@ class KnownMapReader {
   }
 
   void readOne(const SubmapClosed& closed) {
-    open_->submaps.push_back(map_.numbers(readForLoops(map_.session, closed)).submap);
+    const auto read = [folder = folder(), owner = owner(), numbers = map_.numbers, closed] {
+      return numbers(readForLoops(folder, owner, closed));
+    };
+    const auto submap = std::make_shared<const Submap>(read());
+    map_.library->add(submap, nullptr);
+    map_.library->noteStored(submap->id, read);
+    open_->submaps.push_back(map_.library->light(submap->id));
   }
 
   const PlaceRecognitionConfig& recognition_;
@@ -88,34 +94,45 @@ class KnownMapReader {
   std::shared_ptr<LocalMap> open_;  // the last of the map's
 };
 
-/// All that its file has; the points that loops are registered with where the rest is damaged.
-MapUpdate readAll(const Session& session, const SubmapClosed& closed, const SessionNumbers& numbers,
-                  const SubmapPtr& known) {
+/// The points that loops are registered with; null where they can no longer be read either.
+std::shared_ptr<MapUpdate> readForLoopsAgain(const KnownMap& map, SubmapId id) {
   try {
-    return numbers(readSubmap(submapFile(session.folder, closed.id, session.info.id),
-                              {SubmapRecord::trajectory, SubmapRecord::points,
-                               SubmapRecord::normals, SubmapRecord::detail, SubmapRecord::occupancy,
-                               SubmapRecord::sightings, SubmapRecord::intensities}));
-  } catch (const std::runtime_error&) {
-    MapUpdate update;
-    update.submap = known;
-    update.detail_submap = known->points;
+    auto update = std::make_shared<MapUpdate>();
+    update->submap = map.library->whole(id);
+    update->detail_submap = update->submap->points;
     return update;
+  } catch (const std::runtime_error&) {
+    return nullptr;
+  }
+}
+
+/// All that its file has; the points that loops are registered with where the rest is damaged.
+std::shared_ptr<MapUpdate> readAll(const KnownMap& map, const SubmapClosed& closed, SubmapId id) {
+  const Session& session = map.session;
+  try {
+    return std::make_shared<MapUpdate>(map.numbers(
+        readSubmap(submapFile(session.folder, closed.id, session.info.id),
+                   {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals,
+                    SubmapRecord::detail, SubmapRecord::occupancy, SubmapRecord::sightings,
+                    SubmapRecord::intensities})));
+  } catch (const std::runtime_error&) {
+    return readForLoopsAgain(map, id);
   }
 }
 
 }  // namespace
 
-MapUpdate readForLoops(const Session& session, const SubmapClosed& closed) {
-  MapUpdate update =
-      readSubmap(submapFile(session.folder, closed.id, session.info.id),
-                 {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
-  const Submap& submap = *update.submap;
-  if (submap.points.size() != submap.normals.size() || submap.first_scan != closed.first_scan ||
+Submap readForLoops(const std::string& folder, SessionId owner, const SubmapClosed& closed) {
+  Submap submap =
+      *readSubmap(submapFile(folder, closed.id, owner),
+                  {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals})
+           .submap;
+  if (submap.id != closed.id || submap.points.size() != submap.normals.size() ||
+      submap.first_scan != closed.first_scan ||
       submap.T_submap_scan.size() != closed.last_scan.value - closed.first_scan.value + 1)
     throw std::runtime_error("submap " + std::to_string(closed.id.value) +
                              " is not the one that the log tells of");
-  return update;
+  return submap;
 }
 
 SessionId nextSession(const SessionInfo& info) {
@@ -133,7 +150,7 @@ KnownMap readKnownMap(const std::string& folder, std::optional<SessionId> first,
     cutToClosedSubmaps(session);
     if (session.submaps.empty()) throw std::runtime_error("it has no closed submap");
     const SessionNumbers numbers(allSessionsOf(session), first);
-    KnownMap map{std::move(session), numbers, {}, {}, {}, {}};
+    KnownMap map{std::move(session), numbers, {}, {}, {}, {}, std::make_shared<SubmapLibrary>(0)};
     for (const GraphNode& node : map.session.graph.nodes) map.nodes.push_back(numbers(node));
     for (const LoopEdge& edge : map.session.graph.loops) map.loops.push_back(numbers(edge));
     KnownMapReader(recognition, notices, map).read();
@@ -160,7 +177,7 @@ SessionInfo infoOfAll(const std::vector<const KnownMap*>& maps) {
   return info;
 }
 
-void copyMaps(const KnownMap& map, SessionWriter& writer) {
+void copyMaps(const KnownMap& map, SessionWriter& writer, bool reads_copies) {
   const Session& session = map.session;
   const SessionNumbers& numbers = map.numbers;
   std::set<LocalMapId> local_maps;
@@ -170,10 +187,11 @@ void copyMaps(const KnownMap& map, SessionWriter& writer) {
   auto node = map.nodes.begin();
   for (std::size_t i = 0; i < submaps.size(); ++i) {
     const SubmapClosed& closed = session.submaps[i];
-    MapUpdate update = readAll(session, closed, numbers, submaps[i]);
+    const std::shared_ptr<MapUpdate> update = readAll(map, closed, submaps[i]->id);
     const std::uint32_t scans = closed.last_scan.value - closed.first_scan.value + 1;
     const auto end = node + scans;
-    writer.add({node, end}, numbers(closed), std::make_shared<const MapUpdate>(std::move(update)));
+    if (update && reads_copies) update->library = map.library;
+    writer.add({node, end}, numbers(closed), update);
     writer.drain();  // one in memory at a time
     node = end;
     local_maps.insert(closed.local_map);

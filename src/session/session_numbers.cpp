@@ -32,13 +32,16 @@ SubmapClosed SessionNumbers::operator()(SubmapClosed submap) const {
   return submap;
 }
 
+Submap SessionNumbers::operator()(Submap submap) const {
+  submap.id = (*this)(submap.id);
+  submap.local_map = (*this)(submap.local_map);
+  submap.first_scan = (*this)(submap.first_scan);
+  return submap;
+}
+
 MapUpdate SessionNumbers::operator()(const MapUpdate& update) const {
-  auto submap = std::make_shared<Submap>(*update.submap);
-  submap->id = (*this)(submap->id);
-  submap->local_map = (*this)(submap->local_map);
-  submap->first_scan = (*this)(submap->first_scan);
   MapUpdate renamed = update;
-  renamed.submap = std::move(submap);
+  renamed.submap = std::make_shared<const Submap>((*this)(*update.submap));
   return renamed;
 }
 

@@ -32,6 +32,7 @@ class LogReplay {
   SessionGraph graph;
 
   bool isExact() const { return exact_version_ == version_; }
+  bool hasTakenOver() const { return has_taken_over_; }
 
   void placeScans() {
     graph.T_map_scan = isExact() ? T_map_scan_ : carriedByKeyposes();
@@ -141,6 +142,7 @@ class LogReplay {
     if (taken.T_map_scan.empty() || taken.T_map_scan.size() > graph.nodes.size() ||
         !graph.loops.empty() || std::any_of(taken.loops.begin(), taken.loops.end(), is_beyond))
       throw std::runtime_error("the sessions taken over do not follow what comes before");
+    has_taken_over_ = true;
     graph.loops = taken.loops;
     T_map_scan_ = taken.T_map_scan;
     const GraphNode& last = graph.nodes[taken.T_map_scan.size() - 1];
@@ -187,6 +189,7 @@ class LogReplay {
   GravityConfig gravity_;
   SlamGraph solver_;
   bool with_solver_;
+  bool has_taken_over_ = false;
   std::uint32_t version_ = 0, exact_version_ = 0;  // of the last optimisation; of T_map_scan_
   ScanId last_scan_;
   // Of the scans that follow.
@@ -298,6 +301,11 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
     notices.push_back(
         "this version optimises the graph differently from the one that wrote the session: "
         "keyposes are as stored, and the scans between them are moved with their keypose");
+  if (!session.info.joined.empty() && !replay.hasTakenOver())
+    notices.push_back(
+        "the session in '" + folder +
+        "' ended while the sessions that it goes on from were copied: it has neither "
+        "their loops nor their corrected poses, which are where they were copied from");
   replay.placeScans();
   session.submaps = std::move(replay.submaps);
   session.graph = std::move(replay.graph);

@@ -37,7 +37,7 @@ class LocalMaps {
  private:
   /// With the number of a session of its own, so that no two are of one drive.
   SubmapPtr read(const SubmapClosed& closed) const {
-    auto submap = std::make_shared<Submap>(*readForLoops(stored_, closed).submap);
+    auto submap = std::make_shared<Submap>(readForLoops(stored_.folder, stored_.info.id, closed));
     submap->id.session = submap->local_map.session = submap->first_scan.session = session_;
     return submap;
   }

@@ -17,7 +17,8 @@ LocalizerConfig localizerConfig(const SlamConfig& config) {
 
 LocalizationStage::LocalizationStage(const SlamConfig& config, std::vector<std::string>& notices)
     : arena_(config.background.threads),
-      map_(loadPriorMap(config.localization.map, config.loops.recognition, notices)),
+      map_(loadPriorMap(config.localization.map, config.loops.recognition,
+                        config.mapping.cacheBytes(), notices)),
       localizer_(localizerConfig(config), map_) {}
 
 Localization LocalizationStage::add(const InformedScan& informed) {

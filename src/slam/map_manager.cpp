@@ -5,17 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/slam/thinned_scan.h"
 
 namespace revisit_slam {
-
-namespace {
-
-std::size_t bytesOf(int megabytes) {
-  return static_cast<std::size_t>(megabytes) * 1'000'000;
-}
-
-}  // namespace
 
 MapManager::MapManager(const SlamConfig& config, Lane& building, Lane& searching, Outputs outputs)
     : mapping_(config.mapping),
@@ -65,7 +58,8 @@ void MapManager::build(const RegisteredScan& scan, const Unsure& unsure) {
       unsure_ = {};
       position_odom_ = scan.T_odom_base.translation;
       builder_ = std::make_unique<MapBuilder>(mapping_, occupancy_);
-      library_ = std::make_shared<SubmapLibrary>(bytesOf(mapping_.cache_mb));
+      library_ = std::make_shared<SubmapLibrary>(mapping_.cacheBytes());
+      if (scan.goes_on_from) library_->addStored(scan.goes_on_from->library);
       searching_.post([this, session = session_, prior = scan.goes_on_from, library = library_] {
         begin(session, prior, library);
       });

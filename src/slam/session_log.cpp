@@ -50,12 +50,12 @@ SessionLog::SessionLog(SessionId id, const SlamConfig& config, Stamp start,
       closed_before_.push_back(target_.prior->numbers(closed));
   if (target_.folder.empty()) return;
   writer_ = std::make_unique<SessionWriter>(target_, info_, niceness_);
-  writePrior(*writer_);
+  writePrior(*writer_, true);
 }
 
-void SessionLog::writePrior(SessionWriter& writer) const {
+void SessionLog::writePrior(SessionWriter& writer, bool reads_copies) const {
   if (!target_.prior) return;
-  copyMaps(*target_.prior, writer);
+  copyMaps(*target_.prior, writer, reads_copies);
   writer.add(
       LogEntry(SessionsTakenOver{target_.prior->loops, target_.prior->session.graph.T_map_scan}));
   if (const auto& known = target_.prior->session.graph.georeference)
@@ -206,7 +206,7 @@ std::size_t SessionLog::loopsBefore() const {
 }
 
 void SessionLog::writeAll(SessionWriter& writer, const SessionWriter* lost) const {
-  writePrior(writer);
+  writePrior(writer, lost != nullptr);
   std::size_t scans = scans_before_;
   for (std::size_t i = 0; i < closed_.size(); ++i) {
     const std::size_t end = scans_before_ + closed_[i].last_scan.value + 1;

@@ -47,6 +47,21 @@ TEST_F(MapMatcherTest, AnotherStreetIsNotTheMap) {
   EXPECT_FALSE(matcher_.relocate(open, truth()).accepted);
 }
 
+/// Its folder is gone: that is no place off the map.
+TEST_F(MapMatcherTest, AMapThatCannotBeReadIsTheReason) {
+  auto gone = std::make_shared<PriorMap>(*streetMap());
+  gone->library = std::make_shared<SubmapLibrary>(0);
+  for (const PlacedSubmap& placed : gone->submaps) {
+    gone->library->add(streetMap()->whole(placed).submap, nullptr);
+    gone->library->noteStored(placed.submap->id,
+                              []() -> Submap { throw std::runtime_error("no such file"); });
+  }
+  MapMatcher matcher(gone, {}, {}, LocalizationConfig().min_overlap);
+  const MapMatch match = matcher.track(open_, truth(), 5.0);
+  EXPECT_FALSE(match.accepted);
+  EXPECT_EQ(match.reason, "no such file");
+}
+
 TEST_F(MapMatcherTest, FarFromTheWayThereIsNoMap) {
   EXPECT_EQ(matcher_.track(open_, off(truth(), 1000.0, 0.0), 5.0).reason, "off the map");
 }

@@ -17,7 +17,7 @@ class PriorMapTest : public testing::Test {
 
   PriorMapPtr load() {
     notices_.clear();
-    return loadPriorMap(path_, {}, notices_);
+    return loadPriorMap(path_, {}, kNoRoom, notices_);
   }
   void storePlace(double pixel) {
     StoredLocalMap place;
@@ -29,6 +29,7 @@ class PriorMapTest : public testing::Test {
     std::ofstream(localMapFile(path_, place.id), std::ios::binary) << encodeLocalMap(place);
   }
 
+  static constexpr std::size_t kNoRoom = 0;
   TemporaryFolder folder_;
   std::string path_ = folder_.file("session");
   std::vector<std::string> notices_;
@@ -40,8 +41,10 @@ TEST_F(PriorMapTest, HasTheSubmapsWhereTheSessionLeftThem) {
   EXPECT_TRUE(notices_.empty()) << notices_.front();
   ASSERT_EQ(map->submaps.size(), StreetDrive::get().updates.size());
   const Submap& last = *StreetDrive::get().updates.back()->submap;
-  EXPECT_EQ(map->submaps.back().submap->points, last.points);
-  EXPECT_EQ(map->submaps.back().submap->normals, last.normals);
+  const PlacedSubmap whole = map->whole(map->submaps.back());
+  EXPECT_EQ(whole.submap->points, last.points);
+  EXPECT_EQ(whole.submap->normals, last.normals);
+  EXPECT_EQ(whole.T_common_submap.translation, last.T_odom_submap.translation);
   EXPECT_EQ(map->submaps.back().T_common_submap.translation, last.T_odom_submap.translation);
   EXPECT_EQ(map->places.size(), 1u);
 }
@@ -57,10 +60,23 @@ TEST_F(PriorMapTest, WhatIsMissingOrDoesNotCompareIsNamed) {
   EXPECT_TRUE(contains(notices_[1], "image/resolution"));
 }
 
+TEST_F(PriorMapTest, PointsAreReadWhenTheyAreNeeded) {
+  const PriorMapPtr map = load();
+  std::size_t points = 0;
+  for (const MapUpdatePtr& update : StreetDrive::get().updates)
+    points += update->submap->points.size();
+  EXPECT_EQ(map->points, points);
+  EXPECT_EQ(map->library->bytes(), 0u);
+  for (const PlacedSubmap& placed : map->submaps) EXPECT_TRUE(placed.submap->points.empty());
+  std::filesystem::remove(submapFile(path_, SubmapId{1}));
+  EXPECT_NO_THROW(map->whole(map->submaps[0]));
+  EXPECT_THROW(map->whole(map->submaps[1]), std::runtime_error);
+}
+
 TEST_F(PriorMapTest, WithoutAnySubmapItIsRefused) {
   std::filesystem::remove_all(path_ + "/submaps");
   EXPECT_THROW(load(), std::runtime_error);
-  EXPECT_THROW(loadPriorMap(folder_.file("nowhere"), {}, notices_), std::runtime_error);
+  EXPECT_THROW(loadPriorMap(folder_.file("nowhere"), {}, kNoRoom, notices_), std::runtime_error);
 }
 
 TEST(PriorMap, APoseLiesOnTheGround) {

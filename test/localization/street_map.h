@@ -19,12 +19,15 @@ inline PriorMapPtr streetMap() {
   static const PriorMapPtr map = [] {
     SyntheticStreet street(5, 1);
     auto prior = std::make_shared<PriorMap>();
+    prior->library = std::make_shared<SubmapLibrary>(0);
     for (const double from : {0.0, 20.0, 40.0}) {
       const std::vector<Pose> way = drive(from, from + 20.0);
       Submap submap = submapOf(street, way);
       submap.id.value = static_cast<std::uint32_t>(prior->submaps.size());
       const Pose T_map_submap = T_map_street() * submap.T_odom_submap;
-      prior->submaps.push_back({std::make_shared<const Submap>(std::move(submap)), T_map_submap});
+      const auto whole = std::make_shared<const Submap>(std::move(submap));
+      prior->library->add(whole, nullptr);
+      prior->submaps.push_back({prior->library->light(whole->id), T_map_submap});
       for (const Pose& T : way) prior->T_map_scan.push_back(T_map_street() * T);
     }
     return prior;

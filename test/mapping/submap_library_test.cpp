@@ -37,6 +37,27 @@ class SubmapLibraryTest : public testing::Test {
   int reads_ = 0;
 };
 
+TEST_F(SubmapLibraryTest, ReadsWhatAnotherOneCanRead) {
+  const auto known = std::make_shared<SubmapLibrary>(0);
+  for (const std::uint32_t id : {0u, 1u, 2u, 3u}) known->add(submap(id), nullptr);
+  for (const std::uint32_t id : {1u, 2u, 3u}) known->noteStored({id}, [id] { return *submap(id); });
+  SubmapLibrary other(kBytes);
+  other.addStored(known);
+  EXPECT_EQ(other.bytes(), 0u);
+  EXPECT_FALSE(other.has({0}));
+  EXPECT_EQ(other.points({1}), kPoints);
+  EXPECT_TRUE(other.light({1})->points.empty());
+  for (const std::uint32_t id : {1u, 3u}) EXPECT_EQ(other.whole({id})->points, submap(id)->points);
+  EXPECT_EQ(other.bytes(), kBytes);
+  // From where it lies now.
+  known->noteStored({2}, [this] {
+    ++reads_;
+    return *submap(2);
+  });
+  EXPECT_EQ(other.whole({2})->points, submap(2)->points);
+  EXPECT_EQ(reads_, 1);
+}
+
 TEST_F(SubmapLibraryTest, WhatIsNotOnDiskStays) {
   addAll();
   EXPECT_EQ(library_.bytes(), 5 * kBytes);
@@ -49,6 +70,7 @@ TEST_F(SubmapLibraryTest, WhatIsOnDiskHasTheRoomThatIsStatedAndComesBack) {
   EXPECT_EQ(library_.bytes(), 2 * kBytes);
   EXPECT_EQ(library_.inMemory({0}), nullptr);
   EXPECT_NE(library_.inMemory({4}), nullptr);
+  EXPECT_EQ(library_.points({0}), kPoints);
   const SubmapPtr back = library_.whole({0});
   EXPECT_EQ(reads_, 1);
   EXPECT_EQ(back->points, submap(0)->points);

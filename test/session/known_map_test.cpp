@@ -73,7 +73,9 @@ TEST_F(KnownMapTest, NumbersStayAndSessionsAreCounted) {
   ASSERT_EQ(b.maps[0]->submaps.size(), drive.updates.size());
   const Submap &submap = *b.maps[0]->submaps[1], &driven = *drive.updates[1]->submap;
   EXPECT_EQ(submap.first_scan, (ScanId{driven.first_scan.value, SessionId{1}}));
-  EXPECT_EQ(submap.points, driven.points);
+  EXPECT_TRUE(submap.points.empty());
+  EXPECT_EQ(b.library->bytes(), 0u);
+  EXPECT_EQ(b.library->whole(submap.id)->points, driven.points);
   EXPECT_EQ(submap.scale, driven.scale);
   EXPECT_EQ(read(a_, std::nullopt).maps[0]->id, LocalMapId{0});
 }
@@ -122,6 +124,43 @@ TEST_F(KnownMapTest, MapsLeaveOutWhatNoLoopTies) {
   EXPECT_TRUE(contains(notices[0], "session 1 is left out"));
   EXPECT_FALSE(std::filesystem::exists(folder_.file("alone/submaps/1_000000.pcd")));
   EXPECT_TRUE(std::filesystem::exists(folder_.file("alone/submaps/000000.pcd")));
+}
+
+/// As where a drive goes on from a map: its folder may go once it was copied.
+TEST_F(KnownMapTest, CopiesAreReadOnceTheyAreThere) {
+  {
+    SessionWriter writer({both_, "", nullptr, false}, infoOfAll({&maps_[0]}), 0);
+    copyMaps(maps_[0], writer, true);
+    writer.drain();
+  }
+  std::filesystem::remove_all(a_);
+  EXPECT_EQ(maps_[0].library->whole(SubmapId{1})->points,
+            StreetDrive::get().updates[1]->submap->points);
+}
+
+TEST_F(KnownMapTest, ASubmapThatCanNoLongerBeReadHasNoFileWhichReadersName) {
+  std::filesystem::remove(submapFile(a_, SubmapId{1}));
+  {
+    SessionWriter writer({both_, "", nullptr, false}, infoOfAll({&maps_[0]}), 0);
+    copyMaps(maps_[0], writer);
+    writer.drain();
+  }
+  EXPECT_TRUE(std::filesystem::exists(submapFile(both_, SubmapId{0})));
+  EXPECT_FALSE(std::filesystem::exists(submapFile(both_, SubmapId{1})));
+  const auto notices = exportSession(readSession(both_, notices_), folder_.file("out"));
+  ASSERT_FALSE(notices.empty());
+  EXPECT_TRUE(contains(notices[0], "the map is without submap 1"));
+}
+
+TEST_F(KnownMapTest, ACopyThatEndedEarlySaysSo) {
+  {
+    SessionWriter writer({both_, "", nullptr, false}, infoOfAll({&maps_[0], &maps_[1]}), 0);
+    copyMaps(maps_[0], writer);
+    writer.drain();
+  }
+  readSession(both_, notices_);
+  ASSERT_EQ(notices_.size(), 1u);
+  EXPECT_TRUE(contains(notices_[0], "ended while the sessions that it goes on from were copied"));
 }
 
 TEST_F(KnownMapTest, WhatCannotBeUsedIsRefusedWithTheReason) {

@@ -144,7 +144,8 @@ TEST_F(SessionMergeTest, TheResultIsASessionOfBoth) {
   for (const char* name :
        {"map.pcd", "trajectory_0.tum", "trajectory_1.tum", "submaps/1_000000.pcd"})
     EXPECT_TRUE(std::filesystem::exists(folder + "/" + name)) << name;
-  const PriorMapPtr prior = loadPriorMap(merged(), SlamConfig{}.loops.recognition, notices);
+  const PriorMapPtr prior =
+      loadPriorMap(merged(), SlamConfig{}.loops.recognition, 1'000'000, notices);
   EXPECT_EQ(prior->submaps.size(), session.submaps.size());
   EXPECT_TRUE(notices.empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "revisit_slam/information/information_config.h"
@@ -12,9 +13,9 @@ namespace revisit_slam {
 /// What became of registering the last metres to the map.
 struct MapMatch {
   bool accepted = false;
-  std::string reason;  ///< empty if accepted
-  SubmapId target;     ///< of the map
-  Pose T_map_open;     ///< where the registration ended, if `registered`
+  std::string reason;              ///< empty if accepted
+  std::optional<SubmapId> target;  ///< of the map; none: it is off the map
+  Pose T_map_open;                 ///< where the registration ended, if `registered`
   bool registered = false;
   Matrix6 information = Matrix6::Identity();  ///< for right perturbations of T_map_open
   double mean_squared_residual = 0.0;         ///< m^2, of the objective of the information
@@ -49,6 +50,7 @@ class MapMatcher {
                   const Reach& reach) const;
   MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open) const;
   std::vector<PlacedSubmap> near(const Eigen::Vector3d& position) const;
+  std::vector<PlacedSubmap> whole(const std::vector<PlacedSubmap>& submaps) const;
 
   PriorMapPtr map_;
   LoopCloserConfig config_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+
 #include "revisit_slam/mapping/dynamic_point_config.h"
 #include "revisit_slam/util/parameters.h"
 
@@ -41,6 +43,8 @@ struct MappingConfig {
   int max_waiting = 300;
   int cache_mb = 256;
   DynamicPointConfig dynamic_points;
+
+  std::size_t cacheBytes() const { return static_cast<std::size_t>(cache_mb) * 1'000'000; }
 
   template <typename Visitor>
   void visit(Visitor& v) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "revisit_slam/occupancy/submap_occupancy.h"
@@ -26,6 +27,8 @@ class SubmapLibrary {
   void add(const SubmapPtr& submap, const SubmapOccupancyPtr& occupancy);
   /// From now on it can be read back.
   void noteStored(SubmapId id, Read read);
+  /// All that another one can read, and as it reads it; none of it is in memory yet.
+  void addStored(const std::shared_ptr<SubmapLibrary>& other);
 
   bool has(SubmapId id) const;
   /// Without points and normals. @throws std::out_of_range for one that was not added.
@@ -33,6 +36,8 @@ class SubmapLibrary {
   /// With points and normals, read from disk where they are not in memory. @throws
   /// std::runtime_error where that fails, std::out_of_range.
   SubmapPtr whole(SubmapId id);
+  /// How many it has, wherever they are. @throws std::out_of_range
+  std::size_t points(SubmapId id) const;
   /// Null where it is not in memory.
   SubmapPtr inMemory(SubmapId id) const;
   SubmapOccupancyPtr occupancyInMemory(SubmapId id) const;
@@ -45,6 +50,7 @@ class SubmapLibrary {
     SubmapPtr light;
     SubmapPtr whole;  // null: not in memory
     SubmapOccupancyPtr occupancy;
+    std::size_t points = 0;
     Read read;                           // null: it is not on disk
     std::list<SubmapId>::iterator used;  // in recent_, where it is in memory and on disk
   };

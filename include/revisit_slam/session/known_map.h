@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "revisit_slam/loops/recognition/place_recognition.h"
+#include "revisit_slam/mapping/submap_library.h"
 #include "revisit_slam/session/session_numbers.h"
 #include "revisit_slam/session/session_reader.h"
 #include "revisit_slam/session/session_writer.h"
@@ -21,14 +22,16 @@ struct KnownMap {
   // With the ids that it gets:
   std::vector<GraphNode> nodes;
   std::vector<LoopEdge> loops;
-  std::vector<LocalMapPtr> maps;  ///< without points of their own: the submaps have theirs
-  std::vector<PlaceView> places;  ///< of these, without picture
+  std::vector<LocalMapPtr> maps;           ///< without points, nor have their submaps any
+  std::vector<PlaceView> places;           ///< of these, without picture
+  std::shared_ptr<SubmapLibrary> library;  ///< reads the submaps, and keeps none in memory
 };
 using KnownMapPtr = std::shared_ptr<const KnownMap>;
 
 /// What loops need of a submap: trajectory, points and normals, with the ids that it has in its
-/// folder. @throws std::runtime_error where its file is damaged, or another one than the log says.
-MapUpdate readForLoops(const Session& session, const SubmapClosed& closed);
+/// folder, which belongs to `owner`. @throws std::runtime_error where its file is damaged, or
+/// another one than the log says.
+Submap readForLoops(const std::string& folder, SessionId owner, const SubmapClosed& closed);
 
 /// The number that a session gets that goes on from these.
 SessionId nextSession(const SessionInfo& info);
@@ -44,7 +47,9 @@ KnownMap readKnownMap(const std::string& folder, std::optional<SessionId> first,
 SessionInfo infoOfAll(const std::vector<const KnownMap*>& maps);
 
 /// Copies submaps and local maps, and the scans of the graph. Where fine points or occupancy can no
-/// longer be read, the points that loops are registered with take their place.
-void copyMaps(const KnownMap& map, SessionWriter& writer);
+/// longer be read, the points that loops are registered with take their place; where these cannot
+/// either, the submap has no file, which readers name. `reads_copies`: from then on the map's
+/// library reads the copies.
+void copyMaps(const KnownMap& map, SessionWriter& writer, bool reads_copies = false);
 
 }  // namespace revisit_slam

@@ -33,6 +33,7 @@ class SessionNumbers {
   GraphNode operator()(GraphNode node) const;
   LoopEdge operator()(LoopEdge edge) const;
   SubmapClosed operator()(SubmapClosed submap) const;
+  Submap operator()(Submap submap) const;
   MapUpdate operator()(const MapUpdate& update) const;
   StoredLocalMap operator()(StoredLocalMap map) const;
 

@@ -65,6 +65,7 @@ class SessionLog {
   const std::vector<SubmapPtr>& submaps() const { return submaps_; }
   /// With points. @throws std::runtime_error where they cannot be read.
   SubmapPtr whole(const Submap& submap) const { return library_->whole(submap.id); }
+  std::size_t pointsOf(const Submap& submap) const { return library_->points(submap.id); }
   /// Null where occupancy is switched off, or cannot be read.
   SubmapOccupancyPtr occupancy(const Submap& submap) const;
 
@@ -76,7 +77,8 @@ class SessionLog {
   std::vector<GraphNode> nodesFrom(std::size_t first, std::size_t end) const;
   void writeAll(SessionWriter& writer, const SessionWriter* lost) const;
   std::size_t loopsBefore() const;
-  void writePrior(SessionWriter& writer) const;
+  /// `reads_copies`: of the prior's submaps, from then on.
+  void writePrior(SessionWriter& writer, bool reads_copies) const;
   MapUpdatePtr stored(std::size_t submap, const SessionWriter* lost) const;
 
   const SlamGraph& graph_;

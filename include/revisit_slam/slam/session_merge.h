@@ -44,7 +44,7 @@ class SessionMerge {
   std::optional<Georeference> georeference() const;
   SessionId sessionOf(std::size_t map) const;
 
-  const SlamConfig& config_;
+  const SlamConfig config_;
   const std::vector<KnownMap>& maps_;
   SlamGraph graph_;
   InlineLane lane_;

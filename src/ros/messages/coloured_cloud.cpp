@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace revisit_slam {
 namespace {
@@ -26,36 +27,43 @@ std::uint32_t packed(const std_msgs::ColorRGBA& colour) {
 
 }  // namespace
 
+ColouredCloud::ColouredCloud(const std::string& frame, std::size_t total, int max_points)
+    : total_(total), shown_(std::min<std::size_t>(total, max_points)) {
+  cloud_.header.frame_id = frame;
+  cloud_.fields = {fieldOf("x", 0), fieldOf("y", 1), fieldOf("z", 2), fieldOf("rgb", 3)};
+  cloud_.height = 1;
+  cloud_.point_step = kPointBytes;
+  cloud_.is_dense = 1;
+  cloud_.data.reserve(shown_ * kPointBytes);
+}
+
+void ColouredCloud::add(const CloudPart& part) {
+  const std::uint32_t rgb = packed(part.colour);
+  for (const Eigen::Vector3f& point : *part.points) {
+    ++index_;
+    if (index_ * shown_ / total_ == (index_ - 1) * shown_ / total_) continue;
+    const Eigen::Vector3f placed =
+        (part.T_map_points * Eigen::Vector3d(point.cast<double>())).cast<float>();
+    const std::size_t at = cloud_.data.size();
+    cloud_.data.resize(at + kPointBytes);
+    std::memcpy(&cloud_.data[at], placed.data(), 3 * sizeof(float));
+    std::memcpy(&cloud_.data[at + 3 * sizeof(float)], &rgb, sizeof(rgb));
+  }
+}
+
+sensor_msgs::PointCloud2 ColouredCloud::take() {
+  cloud_.width = static_cast<std::uint32_t>(cloud_.data.size() / kPointBytes);
+  cloud_.row_step = static_cast<std::uint32_t>(cloud_.data.size());
+  return std::move(cloud_);
+}
+
 sensor_msgs::PointCloud2 toColouredCloud(const std::vector<CloudPart>& parts,
                                          const std::string& frame, int max_points) {
   std::size_t total = 0;
   for (const CloudPart& part : parts) total += part.points->size();
-  const std::size_t shown = std::min<std::size_t>(total, max_points);
-
-  sensor_msgs::PointCloud2 cloud;
-  cloud.header.frame_id = frame;
-  cloud.fields = {fieldOf("x", 0), fieldOf("y", 1), fieldOf("z", 2), fieldOf("rgb", 3)};
-  cloud.height = 1;
-  cloud.point_step = kPointBytes;
-  cloud.is_dense = 1;
-  cloud.data.reserve(shown * kPointBytes);
-  std::size_t index = 0;
-  for (const CloudPart& part : parts) {
-    const std::uint32_t rgb = packed(part.colour);
-    for (const Eigen::Vector3f& point : *part.points) {
-      ++index;
-      if (index * shown / total == (index - 1) * shown / total) continue;
-      const Eigen::Vector3f placed =
-          (part.T_map_points * Eigen::Vector3d(point.cast<double>())).cast<float>();
-      const std::size_t at = cloud.data.size();
-      cloud.data.resize(at + kPointBytes);
-      std::memcpy(&cloud.data[at], placed.data(), 3 * sizeof(float));
-      std::memcpy(&cloud.data[at + 3 * sizeof(float)], &rgb, sizeof(rgb));
-    }
-  }
-  cloud.width = static_cast<std::uint32_t>(cloud.data.size() / kPointBytes);
-  cloud.row_step = static_cast<std::uint32_t>(cloud.data.size());
-  return cloud;
+  ColouredCloud cloud(frame, total, max_points);
+  for (const CloudPart& part : parts) cloud.add(part);
+  return cloud.take();
 }
 
 }  // namespace revisit_slam

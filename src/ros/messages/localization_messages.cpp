@@ -3,9 +3,26 @@
 
 #include <cmath>
 
+#include "revisit_slam/ros/messages/display.h"
 #include "revisit_slam/ros/messages/pose_conversions.h"
 
 namespace revisit_slam {
+namespace {
+
+constexpr double kTextSize = 2.0, kAbove = 5.0;  // m
+
+std_msgs::ColorRGBA colourOfState(LocalizationState state) {
+  switch (state) {
+    case LocalizationState::localized:
+      return colour(0.3, 1.0, 0.3);
+    case LocalizationState::lost:
+      return colour(1.0, 0.3, 0.3);
+    default:
+      return colour(1.0, 0.9, 0.3);
+  }
+}
+
+}  // namespace
 
 geometry_msgs::PoseWithCovarianceStamped toPoseWithCovariance(const Localization& now,
                                                               const std::string& map_frame) {
@@ -30,8 +47,21 @@ LocalizationStatus toStatus(const Localization& now, const std::string& map_fram
   status.since_fix = now.since_fix;
   status.overlap = now.overlap;
   status.coherence = now.coherence;
-  status.target = now.target.value;
+  status.target = now.target ? static_cast<std::int32_t>(now.target->value) : -1;
+  status.target_session = now.target ? now.target->session.value : 0u;
   return status;
+}
+
+visualization_msgs::Marker toStateText(const Localization& now,
+                                       const Eigen::Vector3d& p_map_unknown,
+                                       const std::string& map_frame) {
+  const bool is_known = now.state != LocalizationState::searching;
+  const Eigen::Vector3d& p_map = is_known ? now.T_map_base.translation : p_map_unknown;
+  visualization_msgs::Marker text =
+      makeText(map_frame, "localization", 0, kTextSize, p_map + kAbove * Eigen::Vector3d::UnitZ(),
+               std::string(toString(now.state)) + (now.reason.empty() ? "" : ": " + now.reason));
+  text.color = colourOfState(now.state);
+  return text;
 }
 
 std::optional<Pose> toStart(const geometry_msgs::PoseWithCovarianceStamped& drawn,

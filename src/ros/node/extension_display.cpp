@@ -3,8 +3,6 @@
 
 #include <ros/console.h>
 
-#include "revisit_slam/ros/messages/coloured_cloud.h"
-#include "revisit_slam/ros/messages/display.h"
 #include "revisit_slam/ros/messages/localization_messages.h"
 
 namespace revisit_slam {
@@ -14,6 +12,10 @@ namespace {
 Localization stateOf(const GraphSession& session) {
   Localization now;
   const SlamGraph& graph = session.graph();
+  if (session.prior() == nullptr) {
+    now.reason = "the session goes on from no map";
+    return now;
+  }
   if (!session.isPlaced() || graph.nodes().empty()) {
     now.reason = "no loop ties the drive to the map yet";
     return now;
@@ -30,6 +32,13 @@ Localization stateOf(const GraphSession& session) {
   return now;
 }
 
+std::vector<SubmapPtr> submapsOf(const KnownMap& map) {
+  std::vector<SubmapPtr> submaps;
+  for (const LocalMapPtr& local_map : map.maps)
+    submaps.insert(submaps.end(), local_map->submaps.begin(), local_map->submaps.end());
+  return submaps;
+}
+
 }  // namespace
 
 ExtensionDisplay::ExtensionDisplay(ros::NodeHandle& node, const SlamConfig& config,
@@ -42,6 +51,7 @@ ExtensionDisplay::ExtensionDisplay(ros::NodeHandle& node, const SlamConfig& conf
   map_ = node.advertise<sensor_msgs::PointCloud2>("prior_map", 1, connected, none,
                                                   ros::VoidConstPtr(), latch);
   status_ = node.advertise<LocalizationStatus>("localization", 10, latch);
+  text_ = node.advertise<visualization_msgs::Marker>("localization_text", 1, latch);
 }
 
 void ExtensionDisplay::draw(const GraphSession& session) {
@@ -49,24 +59,32 @@ void ExtensionDisplay::draw(const GraphSession& session) {
   if (map_.getNumSubscribers() > 0) drawMap(session);
   if (!goes_on && !told_) return;
   const Localization now = stateOf(session);
+  if (text_.getNumSubscribers() > 0) {
+    const SlamGraph& graph = session.graph();
+    const Eigen::Vector3d begin = graph.nodes().empty()
+                                      ? Eigen::Vector3d::Zero()
+                                      : graph.pose(graph.nodes().front().id).translation;
+    text_.publish(toStateText(now, begin, frame_));
+  }
   if (told_of_ == session.id() && told_ == now.state) return;
   told_of_ = session.id();
   told_ = now.state;
-  if (!goes_on) return;
   status_.publish(toStatus(now, frame_));
   if (now.state == LocalizationState::localized)
     ROS_INFO("the drive was found in the map that it goes on from");
 }
 
 /// A map that is no longer gone on from is taken away.
-void ExtensionDisplay::drawMap(const GraphSession& session) const {
-  std::vector<CloudPart> parts;
-  if (const KnownMapPtr& prior = session.prior())
-    for (const LocalMapPtr& map : prior->maps)
-      for (const SubmapPtr& submap : map->submaps)
-        parts.push_back(
-            {&submap->points, session.graph().pose(submap->first_scan), colour(0.5, 0.5, 0.5)});
-  map_.publish(toColouredCloud(parts, frame_, max_points_));
+void ExtensionDisplay::drawMap(const GraphSession& session) {
+  if (drawn_ != session.prior()) {
+    drawn_ = session.prior();
+    cloud_ = PriorCloud();
+    if (drawn_) cloud_ = PriorCloud(submapsOf(*drawn_), *drawn_->library, max_points_);
+  }
+  map_.publish(cloud_.draw(frame_, [&](const Submap& submap) -> std::optional<Pose> {
+    if (!session.isPlaced(submap.id.session)) return std::nullopt;
+    return session.graph().pose(submap.first_scan);
+  }));
 }
 
 }  // namespace revisit_slam

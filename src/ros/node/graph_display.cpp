@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t kMaxPoses = 2'000;
 
+std::vector<SubmapPtr> placedSubmaps(const GraphSession& session) {
+  std::vector<SubmapPtr> placed;
+  for (const SubmapPtr& submap : session.submaps())
+    if (session.has(submap->first_scan) && session.isPlaced()) placed.push_back(submap);
+  return placed;
+}
+
 }  // namespace
 
 GraphDisplay::GraphDisplay(ros::NodeHandle& node, const SlamConfig& config,
@@ -38,14 +45,13 @@ void GraphDisplay::draw(const GraphSession& session) {
   if (edges_.getNumSubscribers() > 0)
     edges_.publish(toLoopEdges(graph, min_inlier_weight_, frame_));
   if (cloud_.getNumSubscribers() > 0) {
-    std::vector<SubmapPtr> whole;
-    std::vector<CloudPart> parts;
-    for (const SubmapPtr& submap : session.submaps()) {
-      if (!session.has(submap->first_scan) || !session.isPlaced()) continue;
-      whole.push_back(session.whole(*submap));
-      parts.push_back({&whole.back()->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
-    }
-    cloud_.publish(toColouredCloud(parts, frame_, max_points_));
+    const std::vector<SubmapPtr> placed = placedSubmaps(session);
+    std::size_t total = 0;
+    for (const SubmapPtr& submap : placed) total += session.pointsOf(*submap);
+    ColouredCloud cloud(frame_, total, max_points_);
+    for (const SubmapPtr& submap : placed)
+      cloud.add({&session.whole(*submap)->points, graph.pose(submap->first_scan), colour(1, 1, 1)});
+    cloud_.publish(cloud.take());
   }
 }
 

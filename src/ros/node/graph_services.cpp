@@ -58,14 +58,16 @@ bool GraphServices::save(SaveMap::Request& request, SaveMap::Response& response)
   const ros::WallTime start = ros::WallTime::now();
   try {
     requireBelowSaveRoot(live_, request.folder);
+    bool has_maps = false;
     do_in_worker_([&](GraphSession* session) {
       if (!session) throw std::runtime_error("there is nothing to save yet");
+      has_maps = !session->submaps().empty() || session->prior() != nullptr;
       response.path = session->save(request.folder);
       response.scans = static_cast<std::uint32_t>(session->graph().size());
       response.submaps = static_cast<std::uint32_t>(session->submaps().size());
       response.loops = static_cast<std::uint32_t>(activeLoops(session->graph()));
     });
-    response.success = response.submaps > 0;
+    response.success = has_maps;
     response.message = response.success
                            ? "saved to " + response.path
                            : "only trajectory and graph are in " + response.path +

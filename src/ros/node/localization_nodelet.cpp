@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <future>
+#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -36,6 +38,7 @@ void LocalizationNodelet::start() {
     throw ParameterError("localization/map = '" + config_.localization.map + "': " + error.what());
   }
   broadcaster_ = std::make_unique<MapBroadcaster>(config_.frames, config_.live);
+  datum_ = std::make_unique<DatumTopic>(getNodeHandle());
   lane_ = makeLane("localization", config_.background.niceness);
   ros::NodeHandle& node = getNodeHandle();
   transform_timer_ =
@@ -44,6 +47,7 @@ void LocalizationNodelet::start() {
   // In the lane, where the map is drawn: not before it has a publisher.
   lane_->post([&] {
     advertise(node);
+    tellWhereOnEarth();
     drawMapIfWanted();
   });
   lane_->drain();
@@ -81,13 +85,20 @@ void LocalizationNodelet::load(const std::string& folder, LoadMap::Response& res
 void LocalizationNodelet::change(std::unique_ptr<LocalizationStage> stage) {
   stage_ = std::move(stage);
   broadcaster_->forget();
+  tellWhereOnEarth();
   Localization anew;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     last_ = anew;
   }
   status_publisher_.publish(toStatus(anew, config_.frames.map));
-  drawMap();
+  cloud_.reset();
+  guarded([this] { drawMapIfWanted(); });  // the map is in use, whether it can be drawn or not
+}
+
+void LocalizationNodelet::tellWhereOnEarth() {
+  broadcaster_->tieToEarth(stage_->map().georeference);
+  datum_->publish(stage_->map().georeference);
 }
 
 void LocalizationNodelet::advertise(ros::NodeHandle& node) {
@@ -100,6 +111,7 @@ void LocalizationNodelet::advertise(ros::NodeHandle& node) {
   status_publisher_ = node.advertise<LocalizationStatus>("localization", 10, latch);
   pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("localized_pose", 100);
   target_publisher_ = node.advertise<Cloud>("matched_submap", 1, latch);
+  text_publisher_ = node.advertise<visualization_msgs::Marker>("localization_text", 1, latch);
   map_publisher_ =
       node.advertise<Cloud>("prior_map", 1, connected, none, ros::VoidConstPtr(), latch);
 }
@@ -132,8 +144,10 @@ std::size_t LocalizationNodelet::mostWaiting() const {
 
 void LocalizationNodelet::add(const InformedScan& informed) {
   const Localization now = stage_->add(informed);
-  const bool is_known = now.state != LocalizationState::searching;
-  if (is_known) broadcaster_->place(*informed.scan, now.T_map_odom);
+  if (now.state != LocalizationState::searching)
+    broadcaster_->place(*informed.scan, now.T_map_odom);
+  else if (last_.state != now.state)
+    broadcaster_->forget();  // what spoke for the place did not hold
   publish(now);
 }
 
@@ -150,6 +164,7 @@ void LocalizationNodelet::publish(const Localization& now) {
   if (now.state == LocalizationState::localized || now.state == LocalizationState::lost)
     pose_publisher_.publish(toPoseWithCovariance(now, frame));
   if (now.attempted) drawTarget(now.target);
+  drawState(now);
 }
 
 void LocalizationNodelet::startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn) {
@@ -162,25 +177,40 @@ void LocalizationNodelet::startAt(const geometry_msgs::PoseWithCovarianceStamped
 }
 
 /// Those in this process who listened before are not announced by roscpp 1.15 (Debian 11).
-void LocalizationNodelet::drawMapIfWanted() const {
+void LocalizationNodelet::drawMapIfWanted() {
   if (map_publisher_.getNumSubscribers() > 0) drawMap();
 }
 
-void LocalizationNodelet::drawMap() const {
-  std::vector<CloudPart> parts;
-  for (const PlacedSubmap& placed : stage_->map().submaps)
-    parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.5, 0.5, 0.5)});
-  map_publisher_.publish(toColouredCloud(parts, config_.frames.map, config_.live.max_cloud_points));
+void LocalizationNodelet::drawMap() {
+  std::map<SubmapId, Pose> T_map_submap;
+  std::vector<SubmapPtr> submaps;
+  for (const PlacedSubmap& placed : stage_->map().submaps) {
+    submaps.push_back(placed.submap);
+    T_map_submap[placed.submap->id] = placed.T_common_submap;
+  }
+  if (!cloud_) cloud_.emplace(submaps, *stage_->map().library, config_.live.max_cloud_points);
+  map_publisher_.publish(cloud_->draw(config_.frames.map, [&](const Submap& submap) {
+    return std::make_optional(T_map_submap.at(submap.id));
+  }));
 }
 
-void LocalizationNodelet::drawTarget(SubmapId target) const {
+void LocalizationNodelet::drawTarget(const std::optional<SubmapId>& target) const {
   if (target_publisher_.getNumSubscribers() == 0) return;
-  std::vector<CloudPart> parts;
+  std::vector<PlacedSubmap> matched;
   for (const PlacedSubmap& placed : stage_->map().submaps)
-    if (placed.submap->id == target)
-      parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.2, 0.8, 0.3)});
+    if (placed.submap->id == target) matched.push_back(stage_->map().whole(placed));
+  std::vector<CloudPart> parts;
+  for (const PlacedSubmap& placed : matched)
+    parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.2, 0.8, 0.3)});
   target_publisher_.publish(
       toColouredCloud(parts, config_.frames.map, config_.live.max_cloud_points));
+}
+
+/// Where nothing is known it stands where the map begins.
+void LocalizationNodelet::drawState(const Localization& now) const {
+  if (text_publisher_.getNumSubscribers() == 0) return;
+  text_publisher_.publish(
+      toStateText(now, stage_->map().T_map_scan.front().translation, config_.frames.map));
 }
 
 void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
@@ -193,7 +223,7 @@ void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
   addValue("travelled since the last fix (m)", std::to_string(last_.since_fix), status);
   addValue("overlap", std::to_string(last_.overlap), status);
   addValue("coherence", std::to_string(last_.coherence), status);
-  addValue("matched submap", std::to_string(last_.target.value), status);
+  if (last_.target) addValue("matched submap", std::to_string(last_.target->value), status);
   if (lane_->waiting() > mostWaiting()) {
     status.level = std::max<std::int8_t>(status.level, status.WARN);
     status.message += "; falling behind, " + std::to_string(lane_->waiting()) +

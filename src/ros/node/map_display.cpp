@@ -133,13 +133,13 @@ void MapDisplay::drawClouds() const {
 
 sensor_msgs::PointCloud2 MapDisplay::drawn(
     const std::function<std_msgs::ColorRGBA(const Submap&)>& colour) const {
-  std::vector<SubmapPtr> whole;
-  std::vector<CloudPart> parts;
-  for (const SubmapPtr& submap : shown(submaps_)) {
-    whole.push_back(library_->whole(submap->id));
-    parts.push_back({&whole.back()->points, placeOf(*submap), colour(*submap)});
-  }
-  return toColouredCloud(parts, frame_, max_points_);
+  const std::vector<SubmapPtr> shown_submaps = shown(submaps_);
+  std::size_t total = 0;
+  for (const SubmapPtr& submap : shown_submaps) total += library_->points(submap->id);
+  ColouredCloud cloud(frame_, total, max_points_);
+  for (const SubmapPtr& submap : shown_submaps)
+    cloud.add({&library_->whole(submap->id)->points, placeOf(*submap), colour(*submap)});
+  return cloud.take();
 }
 
 void MapDisplay::drawMarkers() const {

@@ -39,7 +39,7 @@ void MapLoader::stop() {
 bool MapLoader::load(LoadMap::Request& request, LoadMap::Response& response) {
   try {
     const std::string folder = inFolder(request.map, live_.folder);
-    requireBelowSaveRoot(live_, folder);
+    requireBelowSaveRoot(live_, request.map);
     load_(folder, response);
     response.success = true;
     response.message =

@@ -2,6 +2,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <revisit_slam/LocalizationStatus.h>
 #include <tf2_ros/transform_listener.h>
+#include <visualization_msgs/Marker.h>
 
 #include <filesystem>
 #include <map>
@@ -141,12 +142,15 @@ TEST(LocalizingLive, findsTheDriveInTheMapAndTakesAnother) {
   const Heard<LocalizationStatus> states(slam, "localization");
   const Heard<geometry_msgs::PoseWithCovarianceStamped> poses(slam, "localized_pose");
   const Heard<sensor_msgs::PointCloud2> prior(slam, "prior_map");
+  const Heard<visualization_msgs::Marker> texts(slam, "localization_text");
   slam.loadLocalization(savedMap());
   const auto half = drive.clouds.begin() + static_cast<std::ptrdiff_t>(drive.clouds.size() / 2);
   slam.play({drive.clouds.begin(), half});
   ASSERT_TRUE(becomesTrue([&] { return statesOf(states).count("localized") > 0; }));
   ASSERT_TRUE(becomesTrue([&] { return poses.all().size() > 100; }));
   EXPECT_TRUE(becomesTrue([&] { return !prior.all().empty(); }));
+  EXPECT_TRUE(
+      becomesTrue([&] { return !texts.all().empty() && texts.all().back()->text == "localized"; }));
   std::map<std::int64_t, Eigen::Vector3d> expected;
   for (const StampedPose& pose : truth)
     expected[pose.stamp.nanoseconds] = pose.T_world_base.translation;

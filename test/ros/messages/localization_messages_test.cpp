@@ -27,6 +27,26 @@ TEST(LocalizationMessages, AStatusSaysWhereAndHowWell) {
   EXPECT_EQ(status.target, 7u);
 }
 
+TEST(LocalizationMessages, TheStateStandsAboveTheBaseOrWhereTheMapBegins) {
+  Localization now;
+  now.T_map_base.translation = {1, 2, 3};
+  const visualization_msgs::Marker searching = toStateText(now, {7, 8, 9}, "map");
+  EXPECT_EQ(searching.header.frame_id, "map");
+  EXPECT_EQ(searching.text, "searching");
+  EXPECT_EQ(searching.pose.position.x, 7.0);
+  EXPECT_GT(searching.pose.position.z, 9.0);
+  now.state = LocalizationState::lost;
+  now.reason = "off the map";
+  const visualization_msgs::Marker lost = toStateText(now, {7, 8, 9}, "map");
+  EXPECT_EQ(lost.text, "lost: off the map");
+  EXPECT_EQ(lost.pose.position.x, 1.0);
+  EXPECT_GT(lost.color.r, lost.color.g);
+  now.state = LocalizationState::localized;
+  now.reason = "";
+  const std_msgs::ColorRGBA localized = toStateText(now, {}, "map").color;
+  EXPECT_GT(localized.g, localized.r);
+}
+
 TEST(LocalizationMessages, WhatIsDrawnLiesOnTheMapsGround) {
   PriorMap map;
   map.T_map_scan = {{Eigen::Quaterniond::Identity(), {0, 0, 5}}};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "revisit_slam/localization/localization_state.h"
+#include "revisit_slam/ros/node/prior_cloud.h"
 #include "revisit_slam/slam/graph_session.h"
 
 namespace revisit_slam {
@@ -23,11 +24,13 @@ class ExtensionDisplay {
   void draw(const GraphSession& session);
 
  private:
-  void drawMap(const GraphSession& session) const;
+  void drawMap(const GraphSession& session);
 
   std::string frame_;
   int max_points_;
-  ros::Publisher map_, status_;
+  ros::Publisher map_, status_, text_;
+  KnownMapPtr drawn_;  // what cloud_ is of
+  PriorCloud cloud_;
   std::optional<LocalizationState> told_;
   SessionId told_of_;
 };

@@ -7,9 +7,12 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 
+#include "revisit_slam/ros/node/datum_topic.h"
 #include "revisit_slam/ros/node/map_broadcaster.h"
 #include "revisit_slam/ros/node/map_loader.h"
+#include "revisit_slam/ros/node/prior_cloud.h"
 #include "revisit_slam/ros/node/slam_nodelet.h"
 #include "revisit_slam/slam/localization_stage.h"
 
@@ -37,13 +40,17 @@ class LocalizationNodelet : public SlamNodelet {
   void add(const InformedScan& informed);
   void change(std::unique_ptr<LocalizationStage> stage);
   void publish(const Localization& now);
+  void tellWhereOnEarth();
   void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
-  void drawMapIfWanted() const;
-  void drawMap() const;
-  void drawTarget(SubmapId target) const;
+  void drawMapIfWanted();
+  void drawMap();
+  void drawTarget(const std::optional<SubmapId>& target) const;
+  void drawState(const Localization& now) const;
 
   std::unique_ptr<LocalizationStage> stage_;  // of the lane
+  std::optional<PriorCloud> cloud_;           // of its map; of the lane; none: not drawn yet
   std::unique_ptr<MapBroadcaster> broadcaster_;
+  std::unique_ptr<DatumTopic> datum_;  // of the lane
 
   std::atomic<std::size_t> thinned_scans_{0};
   std::mutex mutex_;  // guards the next one
@@ -51,7 +58,8 @@ class LocalizationNodelet : public SlamNodelet {
 
   std::unique_ptr<ThreadLane> lane_;
   std::unique_ptr<MapLoader> loader_;
-  ros::Publisher status_publisher_, pose_publisher_, map_publisher_, target_publisher_;
+  ros::Publisher status_publisher_, pose_publisher_, map_publisher_, target_publisher_,
+      text_publisher_;
   ros::Subscriber scan_subscriber_, start_subscriber_;
   ros::WallTimer transform_timer_;
 };
