@@ -23,7 +23,7 @@ TEST(Presets, AnUnknownOneNamesThoseThatThereAre) {
     readPreset("papre");
     FAIL();
   } catch (const ParameterError& error) {
-    EXPECT_STREQ(error.what(), "there is no preset 'papre'; there are: paper");
+    EXPECT_STREQ(error.what(), "there is no preset 'papre'; there are: paper, small_board");
   }
 }
 

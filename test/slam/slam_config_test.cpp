@@ -5,6 +5,9 @@
 
 #include <set>
 
+#include "revisit_slam/io/presets.h"
+#include "revisit_slam/slam/read_config.h"
+
 namespace revisit_slam {
 namespace {
 
@@ -16,6 +19,14 @@ TEST(SlamConfig, DeclaresEachParameterOnceWithAnAllowedDefault) {
   for (const Parameter& parameter : parameters) {
     EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
     EXPECT_FALSE(parameter.description.empty()) << parameter.name;
+  }
+}
+
+TEST(SlamConfig, TakesAllPresets) {
+  for (const std::string& preset : presetNames()) {
+    std::vector<std::string> warnings;
+    EXPECT_NO_THROW(readConfig({preset, "", {}, ""}, warnings)) << preset;
+    EXPECT_TRUE(warnings.empty()) << preset;
   }
 }
 
