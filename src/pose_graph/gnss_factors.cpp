@@ -39,16 +39,25 @@ void GnssFactors::add(std::size_t node, const std::vector<GnssFix>& fixes, std::
     const NodeId scan{static_cast<std::uint32_t>(first) + fix.scan.value};
     fixes_.push_back({node, scan, fix, enu_->toEnu(fix.position), fix.covariance_enu.inverse()});
   }
-  if (!fixes.empty() && !T_map_enu_) placeOrigin();
 }
 
-/// At the first position, unless that turns out to be far from most: a receiver may say 0, 0 first.
-void GnssFactors::placeOrigin() {
+std::vector<const GnssFactors::Tied*> GnssFactors::fixesOf(std::size_t nodes,
+                                                           const IsInMap& is_in_map) const {
+  std::vector<const Tied*> fixes;
+  for (std::size_t i = 0; i < countOf(nodes); ++i)
+    if (is_in_map(fixes_[i].scan)) fixes.push_back(&fixes_[i]);
+  return fixes;
+}
+
+/// At the first position, unless that is far from most. A receiver may say 0, 0 first.
+void GnssFactors::placeOrigin(std::size_t nodes, const IsInMap& is_in_map) {
+  const std::vector<const Tied*> fixes = fixesOf(nodes, is_in_map);
+  if (T_map_enu_ || fixes.empty()) return;
   std::vector<double> latitudes, longitudes, altitudes;
-  for (const Tied& tied : fixes_) {
-    latitudes.push_back(tied.fix.position.latitude);
-    longitudes.push_back(tied.fix.position.longitude);
-    altitudes.push_back(tied.fix.position.altitude);
+  for (const Tied* tied : fixes) {
+    latitudes.push_back(tied->fix.position.latitude);
+    longitudes.push_back(tied->fix.position.longitude);
+    altitudes.push_back(tied->fix.position.altitude);
   }
   const GeodeticPosition middle{medianOf(std::move(latitudes)), medianOf(std::move(longitudes)),
                                 medianOf(std::move(altitudes))};
@@ -97,9 +106,7 @@ std::optional<Pose> GnssFactors::bestStart(const PoseGraph& graph,
 std::optional<GnssTerms> GnssFactors::addTo(PoseGraph& graph, const IsInMap& is_in_map) const {
   GnssTerms terms;
   terms.looked_at = countOf(graph.poses().size());
-  std::vector<const Tied*> fixes;
-  for (std::size_t i = 0; i < terms.looked_at; ++i)
-    if (is_in_map(fixes_[i].scan)) fixes.push_back(&fixes_[i]);
+  const std::vector<const Tied*> fixes = fixesOf(graph.poses().size(), is_in_map);
   if (georeference_) terms.yaw_deviation = georeference_->yaw_deviation;
   const std::optional<Pose> start = bestStart(graph, fixes, terms.yaw_deviation);
   if (!start) return std::nullopt;

@@ -73,6 +73,12 @@ RelativePoseFactor SlamGraph::odometryEdge(std::size_t to) const {
        is_held ? withDrift(information, T_from_to.translation.norm(), config_) : information});
 }
 
+GnssFactors::IsInMap SlamGraph::isInMap() const {
+  return [this, groups = SessionGroups(loops_)](NodeId scan) {
+    return groups.areTied(nodes_.front().id.session, nodes_[scan.value].id.session);
+  };
+}
+
 SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   LoopGraph result;
   PoseGraph& graph = result.graph;
@@ -87,10 +93,7 @@ SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   const RobustKernel kernel = config_.loop_kernel.value();
   for (const std::size_t i : active)
     result.loops.push_back({i, graph.addFactor(factorOf(loops_[i].loop.constraint), kernel)});
-  const SessionGroups groups(loops_);
-  const auto is_in_map = [&](NodeId scan) {
-    return groups.areTied(nodes_.front().id.session, nodes_[scan.value].id.session);
-  };
+  const auto is_in_map = isInMap();
   result.gnss = gnss_.addTo(graph, is_in_map);
   std::optional<NodeId> level;
   if (result.gnss) level = result.gnss->enu;
@@ -181,6 +184,7 @@ bool SlamGraph::tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution) 
   const std::vector<Pose> optimised_before = optimised_;
   const Pose T_map_odom_before = T_map_odom_;
   joinSessions(batch);
+  gnss_.placeOrigin(nodesUpTo(last), isInMap());
   const LoopGraph graph = graphUpTo(nodesUpTo(last));
   solution = solve(graph.graph, config_.solver);
   std::size_t added = 0;

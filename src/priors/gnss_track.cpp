@@ -11,8 +11,10 @@
 namespace revisit_slam {
 namespace {
 
-constexpr double kLongestGap = 1.0;         // s, between scans over which is interpolated
-constexpr double kLongestSilence = 10.0;    // s, of scans without a position
+constexpr double kLongestGap = 1.0;       // s, between scans over which is interpolated
+constexpr double kLongestSilence = 10.0;  // s, of scans without a position
+/// Share of the variance of the one before of which a position is used however near it is.
+constexpr double kMuchBetter = 0.25;
 constexpr std::size_t kMostWaiting = 3000;  // a minute at 50 Hz: scans have stopped
 
 Pose interpolated(const Pose& from, const Pose& to, double share) {
@@ -79,9 +81,12 @@ std::optional<GnssFix> GnssTrack::tie(const GnssReading& reading) {
   const double share = secondsBetween(from.stamp, reading.stamp) / gap;
   const Eigen::Vector3d p_odom =
       interpolated(from.T_odom_base, after->T_odom_base, share) * reading.p_base;
-  if (last_odom_ && (p_odom - *last_odom_).norm() < config_.spacing)
+  const double variance = reading.covariance_enu.trace();
+  const bool is_near = last_odom_ && (p_odom - *last_odom_).norm() < config_.spacing;
+  if (is_near && variance > kMuchBetter * last_variance_)
     return drop("nearer than gnss/spacing"), std::nullopt;
   last_odom_ = p_odom;
+  last_variance_ = variance;
   ++account_.used;
   return GnssFix{reading.stamp, from.id, from.T_odom_first.inverse() * p_odom, reading.position,
                  reading.covariance_enu};

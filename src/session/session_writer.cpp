@@ -149,7 +149,7 @@ void SessionWriter::add(LogEntry entry) {
 
 void SessionWriter::setDatum(const GeodeticPosition& datum) {
   post([this, datum] {
-    if (info_.datum) return;
+    if (info_.datum && areEqual(*info_.datum, datum)) return;
     SessionInfo info = info_;
     info.datum = datum;
     writeSessionInfo(target_.folder + "/session.yaml", info);

@@ -212,6 +212,24 @@ TEST(GnssFactors, AFirstPositionFarFromAllOthersIsAnOutlierAndNothingElse) {
   }
 }
 
+/// As after a crash: all that was driven is added, then what the graph did is done once more.
+TEST(GnssFactors, TheOriginDoesNotDependOnWhatComesAfterTheOptimisation) {
+  std::vector<GraphNode> nodes = nodesOf({});
+  for (std::size_t i = 100; i < nodes.size(); ++i)  // most of the drive is far away
+    for (GnssFix& fix : nodes[i].fixes) fix.position.latitude += 0.2;
+  GnssConfig config = connected();
+  config.datum.clear();
+  SlamGraph live({}, config), again({}, config);
+  for (std::size_t i = 0; i < 100; ++i) live.add(nodes[i]);
+  ASSERT_TRUE(live.optimise(ScanId{99}, {}));
+  for (const GraphNode& node : nodes) again.add(node);
+  ASSERT_TRUE(again.optimise(ScanId{99}, {}));
+  ASSERT_TRUE(live.georeference());
+  EXPECT_EQ(live.georeference()->datum.latitude, again.georeference()->datum.latitude);
+  for (std::uint32_t i = 0; i < 100; ++i)
+    ASSERT_EQ(live.pose(ScanId{i}).translation, again.pose(ScanId{i}).translation) << i;
+}
+
 TEST(GnssFactors, TheDatumOfAMapIsTakenWhereNoneIsGiven) {
   const GeodeticPosition map{-33.5, 151.25, 12.5};
   GnssConfig config = connected();

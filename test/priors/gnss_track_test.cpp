@@ -118,6 +118,21 @@ TEST(GnssTrack, PositionsNearTheOneBeforeAreLeftOut) {
   EXPECT_EQ(track.account().dropped.at("nearer than gnss/spacing"), 16u);
 }
 
+/// A receiver that finds its phase.
+TEST(GnssTrack, APositionThatIsMuchBetterThanTheOneNearItIsUsed) {
+  GnssConfig config = connected();
+  config.spacing = 5.0;
+  GnssTrack track(config);
+  for (int i = 0; i < 4; ++i) {
+    GnssReading reading = readingAt(0.1 * i);
+    reading.covariance_enu *= i < 2 ? 2500.0 : 0.01;
+    track.take(reading);
+  }
+  const std::vector<GnssFix> fixes = drive(track, 0, 40);
+  ASSERT_EQ(fixes.size(), 2u);
+  EXPECT_EQ(fixes[1].stamp, readingAt(0.2).stamp);
+}
+
 /// At rest ids repeat: the node of the graph is where the first of them was.
 TEST(GnssTrack, ABaseAtRestIsTheNodeOfItsFirstScan) {
   GnssTrack track(connected());

@@ -39,6 +39,10 @@ class GnssFactors {
   /// scan of their session.
   void add(std::size_t node, const std::vector<GnssFix>& fixes, std::size_t first = 0);
 
+  /// Of the frame enu, as long as no solution has used it: before a graph of so many nodes is
+  /// solved, so that it does not depend on what comes after those.
+  void placeOrigin(std::size_t nodes, const IsInMap& is_in_map);
+
   /// Whether a graph of so many nodes has positions that the last solution has not.
   bool hasNew(std::size_t nodes) const { return countOf(nodes) > used_; }
 
@@ -62,7 +66,7 @@ class GnssFactors {
     Eigen::Matrix3d information;
   };
 
-  void placeOrigin();
+  std::vector<const Tied*> fixesOf(std::size_t nodes, const IsInMap& is_in_map) const;
   std::size_t countOf(std::size_t nodes) const;
   std::optional<Pose> bestStart(const PoseGraph& graph, const std::vector<const Tied*>& fixes,
                                 double& deviation) const;

@@ -106,6 +106,7 @@ class SlamGraph {
   void moveGroup(const SessionGroups& groups, SessionId group, const Pose& T_new_map);
   RelativePoseFactor factorOf(const Constraint& constraint) const;
   RelativePoseFactor odometryEdge(std::size_t to) const;
+  GnssFactors::IsInMap isInMap() const;
   LoopGraph graphUpTo(std::size_t nodes) const;
   std::vector<std::size_t> activeLoops() const;
   Batch append(const std::vector<LoopConstraint>& new_loops);

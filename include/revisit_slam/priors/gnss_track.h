@@ -54,6 +54,7 @@ class GnssTrack {
   std::deque<GnssReading> waiting_;  // in order of stamps
   std::deque<Placed> scans_;
   std::optional<Eigen::Vector3d> last_odom_;  // the antenna at the last position that was tied
+  double last_variance_ = 0.0;                // of that position, sum over the axes, m^2
   bool was_heard_ = false;                    // since the last scan
   std::optional<Stamp> heard_at_;  // the scan by which there was a position, or the first
   PriorAccount account_;

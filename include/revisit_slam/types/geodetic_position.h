@@ -10,4 +10,8 @@ struct GeodeticPosition {
   double altitude = 0.0;   ///< m above the ellipsoid
 };
 
+inline bool areEqual(const GeodeticPosition& a, const GeodeticPosition& b) {
+  return a.latitude == b.latitude && a.longitude == b.longitude && a.altitude == b.altitude;
+}
+
 }  // namespace revisit_slam

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/input/motion_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -37,6 +38,11 @@ Pose toPose(const geometry_msgs::Pose& pose) {
 
 Eigen::Vector3d toVector(const geometry_msgs::Vector3& v) {
   return {v.x, v.y, v.z};
+}
+
+template <typename Values>
+bool areFinite(const Values& values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// Row by row; all zeros or a variance below zero: not known.
@@ -127,15 +133,27 @@ MotionReader::Result MotionReader::readPosition(const sensor_msgs::NavSatFix& me
     reading.p_base = T_base_antenna->translation;
   }
   if (reading.p_base.norm() > kLongestLever) return rejected(sensor, kTooFar);
-  const auto covariance = toCovariance<3>(message.position_covariance);
   const bool is_known =
       message.position_covariance_type != sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN;
-  const double deviation = gnss_.unknown_deviation;
-  reading.covariance_enu.diagonal() << 1.0, 1.0, 4.0;
-  reading.covariance_enu *= deviation * deviation;
-  if (is_known && covariance && covariance->diagonal().minCoeff() > 0.0)
-    reading.covariance_enu = *covariance;
+  if (is_known && !areFinite(message.position_covariance))
+    return rejected(sensor, "covariance not finite");
+  const auto covariance = toCovariance<3>(message.position_covariance);
+  reading.covariance_enu = covarianceOf(is_known ? covariance : std::nullopt);
   return {reading, sensor, ""};
+}
+
+/// Of a position whose message has this one; receivers may leave out that of the height.
+Eigen::Matrix3d MotionReader::covarianceOf(const std::optional<Eigen::Matrix3d>& told) const {
+  constexpr double vertical = 4.0;  // times the horizontal variance
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  if (told && told->diagonal().head<2>().minCoeff() > 0.0) {
+    covariance = *told;
+    if (covariance(2, 2) == 0.0)
+      covariance(2, 2) = vertical * covariance.diagonal().head<2>().maxCoeff();
+    return covariance;
+  }
+  covariance.diagonal() << 1.0, 1.0, vertical;
+  return gnss_.unknown_deviation * gnss_.unknown_deviation * covariance;
 }
 
 std::optional<MotionReader::Result> MotionReader::readTransforms(

@@ -4,16 +4,14 @@
 #include <sensor_msgs/NavSatFix.h>
 
 namespace revisit_slam {
-namespace {
-
-bool areEqual(const GeodeticPosition& a, const GeodeticPosition& b) {
-  return a.latitude == b.latitude && a.longitude == b.longitude && a.altitude == b.altitude;
-}
-
-}  // namespace
-
 void DatumTopic::publish(const std::optional<Georeference>& georeference) {
-  if (!georeference || (told_ && areEqual(*told_, georeference->datum))) return;
+  if (!georeference) {  // what was latched is of another map
+    publisher_.shutdown();
+    publisher_ = {};
+    told_.reset();
+    return;
+  }
+  if (told_ && areEqual(*told_, georeference->datum)) return;
   told_ = georeference->datum;
   const bool latch = true;
   if (!publisher_) publisher_ = node_.advertise<sensor_msgs::NavSatFix>("datum", 1, latch);

@@ -198,7 +198,18 @@ TEST(MotionReader, APositionWithoutCovarianceHasTheDeviationOfTheParameter) {
   }
 }
 
+TEST(MotionReader, APositionWhoseMessageLeavesOutTheHeightsVarianceKeepsTheOthers) {
+  const auto message = position("mounted");
+  message->position_covariance = {0.01, 0.0, 0.0, 0.0, 0.02, 0.0, 0.0, 0.0, 0.0};
+  const auto reading = std::get<GnssReading>(readFix(message).reading.value());
+  EXPECT_EQ(reading.covariance_enu(0, 0), 0.01);
+  EXPECT_EQ(reading.covariance_enu(2, 2), 0.08);
+}
+
 TEST(MotionReader, PositionsThatAreNoneAreNamed) {
+  const auto very_bad = position("mounted");
+  very_bad->position_covariance[0] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(readFix(very_bad).rejection, "covariance not finite");
   EXPECT_EQ(readFix(position("unknown")).rejection, "no transform from 'unknown'");
   EXPECT_EQ(readFix(position("")).rejection, "no frame_id");
   const auto without = position("mounted");

@@ -48,6 +48,7 @@ class MotionReader {
   Result readOdometry(const nav_msgs::Odometry& message) const;
   Result readImu(const sensor_msgs::Imu& message) const;
   Result readPosition(const sensor_msgs::NavSatFix& message) const;
+  Eigen::Matrix3d covarianceOf(const std::optional<Eigen::Matrix3d>& told) const;
   std::optional<Result> readTransforms(const tf2_msgs::TFMessage& message);
 
   const std::string odometry_frame_;

@@ -15,7 +15,7 @@ class DatumTopic {
  public:
   explicit DatumTopic(const ros::NodeHandle& node) : node_(node) {}
 
-  /// Nothing where it is not known, or as it was told.
+  /// Where it is not known there is no topic.
   void publish(const std::optional<Georeference>& georeference);
 
  private:
