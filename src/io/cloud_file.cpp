@@ -90,8 +90,8 @@ class PlyStream final : public FileWithHeader {
 /// LAS 1.2, point format 0 (ASPRS, LAS Specification Version 1.2, 2008).
 class LasStream final : public FileWithHeader {
  public:
-  LasStream(const std::string& path, CloudFrame frame)
-      : FileWithHeader(path), frame_(std::move(frame)) {
+  LasStream(const std::string& path, const CloudLayout& layout)
+      : FileWithHeader(path), frame_(layout.frame), intensity_scale_(layout.intensity_scale) {
     writeHeader();
   }
 
@@ -102,7 +102,8 @@ class LasStream final : public FileWithHeader {
       least_ = least_.cwiseMin(p);
       greatest_ = greatest_.cwiseMax(p);
       for (int axis = 0; axis < 3; ++axis) bytes.put(wholeSteps(p[axis] - frame_.origin[axis]));
-      bytes.put(intensities.empty() ? std::uint16_t{0} : wholeNumber(intensities[i]));
+      bytes.put(intensities.empty() ? std::uint16_t{0}
+                                    : wholeNumber(intensity_scale_ * intensities[i]));
       bytes.put(std::uint8_t{1 | 1 << 3});                              // first return of one
       for (int rest = 0; rest < 3; ++rest) bytes.put(std::uint8_t{0});  // class, angle, user data
       bytes.put(std::uint16_t{0});                                      // point source
@@ -187,6 +188,7 @@ class LasStream final : public FileWithHeader {
   }
 
   const CloudFrame frame_;
+  const float intensity_scale_;
   Eigen::Vector3d least_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d greatest_ = -least_;
 };
@@ -194,16 +196,16 @@ class LasStream final : public FileWithHeader {
 }  // namespace
 
 std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
-                                             bool with_intensities, const CloudFrame& frame) {
+                                             const CloudLayout& layout) {
   requireCloudFormat(format);
-  if (format == "las") return std::make_unique<LasStream>(path, frame);
+  if (format == "las") return std::make_unique<LasStream>(path, layout);
   std::unique_ptr<CloudStream> stream;
   if (format == "pcd")
-    stream = std::make_unique<PcdStream>(path, with_intensities);
+    stream = std::make_unique<PcdStream>(path, layout.with_intensities);
   else
-    stream = std::make_unique<PlyStream>(path, with_intensities);
-  return frame.place ? std::make_unique<PlacingStream>(std::move(stream), frame)
-                     : std::move(stream);
+    stream = std::make_unique<PlyStream>(path, layout.with_intensities);
+  return layout.frame.place ? std::make_unique<PlacingStream>(std::move(stream), layout.frame)
+                            : std::move(stream);
 }
 
 std::string pointBytes(const Points& points, const std::vector<float>& intensities,

@@ -30,8 +30,9 @@
 namespace revisit_slam {
 namespace {
 
-constexpr double kTile = 200.0;      // m, of the map in memory at a time
-constexpr double kBesideTile = 1.0;  // m
+constexpr double kTile = 200.0;                    // m, of the map in memory at a time
+constexpr double kBesideTile = 1.0;                // m
+constexpr float kSharesToWholeNumbers = 65535.0f;  // of intensities from 0 to 1
 /// Larger than submaps are long, so that every passage through a cell has a keypose in it.
 constexpr double kConsistencyCell = 40.0;  // m
 
@@ -115,7 +116,7 @@ class MapExport {
 
   std::vector<std::string> run() {
     for (const std::string& format : config_.clouds)
-      frames_[format] = cloudFrameOf(config_.frame, session_.graph.georeference, format);
+      layouts_[format].frame = cloudFrameOf(config_.frame, session_.graph.georeference, format);
     makeFolder(folder_);
     if (config_.graph) writeGraphFiles();
     if (config_.submaps) writeSubmaps();
@@ -221,7 +222,11 @@ class MapExport {
           submaps_of_tile[tile].push_back(&submap);
     if (submaps_of_tile.empty()) return note("there is no map: no submap is closed");
     removeFormerClouds();
-    with_intensities_ = haveIntensities();
+    const std::optional<float> strongest = strongestIntensity();
+    for (auto& [format, layout] : layouts_) {
+      layout.with_intensities = strongest.has_value();
+      if (strongest && *strongest <= 1.0f) layout.intensity_scale = kSharesToWholeNumbers;
+    }
     if (config_.tile) makeFolder(file("map_tiles"));
     std::size_t done = 0;
     const auto write_all = [&](auto then) {
@@ -252,11 +257,10 @@ class MapExport {
 
   /// A cloud that is there when it is whole.
   struct Output {
-    Output(const std::string& format, const std::string& path, bool with_intensities,
-           const CloudFrame& frame)
+    Output(const std::string& format, const std::string& path, const CloudLayout& layout)
         : path(path),
           temporary(path + ".part"),
-          stream(makeCloudStream(format, temporary, with_intensities, frame)) {}
+          stream(makeCloudStream(format, temporary, layout)) {}
     ~Output() { std::remove(temporary.c_str()); }
     void finish() {
       stream->finish();
@@ -273,21 +277,23 @@ class MapExport {
     Outputs outputs;
     for (const std::string& format : config_.clouds)
       outputs.emplace_back(std::make_unique<Output>(format, file(name).append(".").append(format),
-                                                    with_intensities_, frames_.at(format)));
+                                                    layouts_.at(format)));
     return outputs;
   }
 
-  /// Whether the first or the last submap of some session has intensities: a sensor that has them
-  /// may have come in late.
-  bool haveIntensities() {
+  /// In the first and the last submaps of the sessions: a sensor that has intensities may have come
+  /// in late. None where there are none.
+  std::optional<float> strongestIntensity() {
+    std::optional<float> strongest;
     const std::vector<SubmapClosed>& all = session_.submaps;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool is_first = i == 0 || all[i - 1].id.session != all[i].id.session;
       const bool is_last = i + 1 == all.size() || all[i + 1].id.session != all[i].id.session;
       if (!is_first && !is_last) continue;
-      if (!read(all[i], {SubmapRecord::intensities}).intensities.empty()) return true;
+      for (const float intensity : read(all[i], {SubmapRecord::intensities}).intensities)
+        strongest = std::max(strongest.value_or(intensity), intensity);
     }
-    return false;
+    return strongest;
   }
 
   TileCloud merged(const Tile& tile, double edge, const std::vector<const SubmapClosed*>& submaps) {
@@ -350,7 +356,7 @@ class MapExport {
     const std::string numbers = std::to_string(tile.first) + "_" + std::to_string(tile.second);
     const std::string path = file("map_tiles/" + name + "_" + numbers + ".");
     for (const std::string& format : config_.clouds) {
-      Output output(format, path + format, with_intensities_, frames_.at(format));
+      Output output(format, path + format, layouts_.at(format));
       output.stream->write(cloud.points(), cloud.intensities());
       output.finish();
     }
@@ -403,10 +409,9 @@ class MapExport {
   const ExportProgress& progress_;
   StoredParameters parameters_;
   const SessionOffsets<ScanId> scans_;
-  std::map<std::string, CloudFrame> frames_;  // of each format of clouds
+  std::map<std::string, CloudLayout> layouts_;  // of each format of clouds
   DynamicVoxels dynamic_voxels_{parameters_.occupancy.resolution};
   std::vector<std::string> notices_;
-  bool with_intensities_ = false;  // of clouds
 };
 
 }  // namespace

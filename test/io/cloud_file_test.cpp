@@ -17,7 +17,7 @@ const Points kPoints{{1.0f, 2.0f, 3.0f}, {-4.5f, 0.0f, 1000.25f}, {7.0f, -8.0f, 
 const std::vector<float> kIntensities{0.0f, 17.6f, 1e9f};  // of the first there is none
 
 void write(const std::string& format, const std::string& path, bool with_intensities = false) {
-  const auto stream = makeCloudStream(format, path, with_intensities);
+  const auto stream = makeCloudStream(format, path, {with_intensities, 1.0f, {}});
   stream->write({kPoints[0]}, {});
   stream->write({kPoints[1], kPoints[2]}, {kIntensities[1], kIntensities[2]});
   stream->finish();
@@ -85,7 +85,7 @@ TEST(CloudFile, LasNamesTheReferenceSystemOfItsFrame) {
   };
   frame.origin = {691000.0, 5329000.0, 0.0};
   frame.epsg = 32632;
-  const auto stream = makeCloudStream("las", folder.file("map.las"), false, frame);
+  const auto stream = makeCloudStream("las", folder.file("map.las"), {false, 1.0f, frame});
   stream->write(kPoints, {});
   stream->finish();
   const std::string bytes = textOf(folder.file("map.las"));
@@ -110,12 +110,25 @@ TEST(CloudFile, LasNamesTheReferenceSystemOfItsFrame) {
   EXPECT_EQ(read(points_at + 8, std::int32_t{}), 523000);
 }
 
+TEST(CloudFile, LasHasIntensitiesFrom0To1AsWholeNumbers) {
+  const TemporaryFolder folder;
+  const auto stream = makeCloudStream("las", folder.file("map.las"), {true, 65535.0f, {}});
+  stream->write(kPoints, {0.0f, 0.5f, 1.0f});
+  stream->finish();
+  const std::string bytes = textOf(folder.file("map.las"));
+  for (const auto& [point, intensity] :
+       {std::pair(0, 0), std::pair(1, 32768), std::pair(2, 65535)}) {
+    const std::string rest = bytes.substr(static_cast<std::size_t>(227 + 20 * point + 12));
+    EXPECT_EQ(ByteReader(rest).get<std::uint16_t>(), intensity);
+  }
+}
+
 TEST(CloudFile, OtherFormatsHavePointsInTheFrameToo) {
   const TemporaryFolder folder;
   CloudFrame frame;
   frame.place = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p); };
   for (const char* format : {"ply", "pcd"}) {
-    const auto stream = makeCloudStream(format, folder.file("map"), true, frame);
+    const auto stream = makeCloudStream(format, folder.file("map"), {true, 1.0f, frame});
     stream->write(kPoints, kIntensities);
     stream->finish();
     pcl::PointCloud<pcl::PointXYZI> read;

@@ -30,13 +30,21 @@ struct CloudFrame {
   int epsg = 0;  ///< of the projected coordinate reference system that this frame is; 0: of none
 };
 
+/// What the points of a file are like.
+struct CloudLayout {
+  bool with_intensities = false;  ///< points have a field for them
+  /// Of intensities that las has as whole numbers: those from 0 to 1 need one.
+  float intensity_scale = 1.0f;
+  CloudFrame frame;
+};
+
 /// `format`: pcd (binary), ply (binary) or las (1.2, to the millimetre; intensities as whole
-/// numbers of 16 bits). `with_intensities`: points have a field for them.
+/// numbers of 16 bits).
 /// Single precision moves points far from the origin: pcd and ply suit frames near the map's, las
 /// suits all within 2,147 km of CloudFrame::origin, and names the reference system.
 /// @throws std::invalid_argument for another one, std::runtime_error naming a file.
 std::unique_ptr<CloudStream> makeCloudStream(const std::string& format, const std::string& path,
-                                             bool with_intensities, const CloudFrame& frame = {});
+                                             const CloudLayout& layout);
 
 /// Points as they lie in files: x, y and z, with intensities a fourth number.
 std::string pointBytes(const Points& points, const std::vector<float>& intensities,
