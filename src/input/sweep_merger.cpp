@@ -122,7 +122,8 @@ bool SweepMerger::isNear(Stamp a, Stamp b) const {
 }
 
 bool SweepMerger::isOfAnotherClock(const Sensor& sensor, Stamp stamp) const {
-  return &sensor != clock_ && clock_->reached && !isNear(stamp, *clock_->reached);
+  return &sensor != clock_ && clock_->reached && !isNear(stamp, *clock_->reached) &&
+         !isNear(stamp, *clock_->sent);  // which may be held, after a pause of all
 }
 
 /// Far ahead of what all have reached.

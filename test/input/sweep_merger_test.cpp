@@ -188,6 +188,17 @@ TEST(SweepMerger, OfTwoClocksThatOfTheFirstIsTaken) {
   EXPECT_TRUE(merger.accounts().at("/b").is_late);
 }
 
+TEST(SweepMerger, APauseOfAllCostsNothing) {
+  SweepMerger merger(threeSensors());
+  Sweeps sweeps;
+  for (const double begin : {0.0, 13.0})
+    for (int i = 0; i < 20; ++i)
+      for (const std::size_t sensor : {0u, 1u, 2u})  // the first is the clock
+        append(merger.take(messageOf(sensor, begin + 0.1 * i)), sweeps);
+  for (const auto& [topic, account] : merger.accounts())
+    EXPECT_EQ(account.points_dropped.count("of another clock"), 0u) << topic;
+}
+
 /// The last message before a pause, which a flush ends, and the first of a sensor.
 TEST(SweepMerger, AWrongStampThatNothingConfirmsIsNotUsed) {
   SweepMerger merger(threeSensors());
