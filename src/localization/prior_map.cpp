@@ -2,6 +2,7 @@
 #include "revisit_slam/localization/prior_map.h"
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -20,7 +21,9 @@ class PriorMapReader {
  public:
   PriorMapReader(const std::string& folder, const PlaceRecognitionConfig& recognition,
                  std::size_t cache_bytes, std::vector<std::string>& notices)
-      : session_(readSession(folder, notices)), recognition_(recognition), notices_(notices) {
+      : session_(readSession(std::filesystem::weakly_canonical(folder).string(), notices)),
+        recognition_(recognition),
+        notices_(notices) {
     map_.library = std::make_shared<SubmapLibrary>(cache_bytes);
   }
 

@@ -2,8 +2,10 @@
 #include "revisit_slam/loops/loop_detector.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace revisit_slam {
@@ -83,8 +85,15 @@ LocalMapPtr LoopDetector::mapOf(LocalMapId id) const {
   auto whole = std::make_shared<LocalMap>();
   whole->id = map->id;
   whole->after_loss = map->after_loss;
-  for (const SubmapPtr& submap : map->submaps)
-    whole->submaps.push_back(library_->whole(submap->id));
+  std::exception_ptr error;
+  for (const SubmapPtr& submap : map->submaps) {
+    try {
+      whole->submaps.push_back(library_->whole(submap->id));
+    } catch (const std::runtime_error&) {  // its file is gone; the others may be there
+      error = std::current_exception();
+    }
+  }
+  if (whole->submaps.empty() && error) std::rethrow_exception(error);
   return whole;
 }
 

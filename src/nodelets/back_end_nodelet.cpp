@@ -130,6 +130,7 @@ class BackEndNodelet : public SlamNodelet {
         return false;
       case ScanOrder::first:
         occupancy_->clear();
+        datum_->publish(std::nullopt);
         if (!stage_->session()->folder().empty())
           NODELET_INFO("writing to %s", stage_->session()->folder().c_str());
         draw();
@@ -155,9 +156,9 @@ class BackEndNodelet : public SlamNodelet {
   }
 
   void log(const LoopClosures& closures) {
-    const GraphSession* session = stage_->session();
     const SessionId id = closures.map.session;
-    if (session == nullptr || session->id() != id || session->folder().empty()) return;
+    const GraphSession* session = stage_->find(id);
+    if (session == nullptr || session->folder().empty()) return;
     logging_->post([this, id, folder = session->folder(), candidates = closures.candidates] {
       DriveLog& log = logs_.try_emplace(id, folder).first->second;
       for (const LoopCandidate& candidate : candidates) log.add(candidate);

@@ -2,6 +2,7 @@
 #include "revisit_slam/session/known_map.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -146,7 +147,8 @@ KnownMap readKnownMap(const std::string& folder, std::optional<SessionId> first,
                       const PlaceRecognitionConfig& recognition,
                       std::vector<std::string>& notices) {
   try {
-    Session session = readSession(folder, notices);
+    // Submaps are read later, too, wherever a link points then.
+    Session session = readSession(std::filesystem::weakly_canonical(folder).string(), notices);
     cutToClosedSubmaps(session);
     if (session.submaps.empty()) throw std::runtime_error("it has no closed submap");
     const SessionNumbers numbers(allSessionsOf(session), first);

@@ -128,11 +128,8 @@ bool GraphSession::disable(LoopId id) {
 }
 
 bool GraphSession::isPlaced() const {
-  return scans_before_ == 0 || isPlaced(id_);
-}
-
-bool GraphSession::isPlaced(SessionId session) const {
-  return SessionGroups(graph_.loops()).areTied(session, graph_.nodes().front().id.session);
+  return scans_before_ == 0 ||
+         SessionGroups(graph_.loops()).areTied(id_, graph_.nodes().front().id.session);
 }
 
 void GraphSession::reconfigure(const BackEndConfig& config) {

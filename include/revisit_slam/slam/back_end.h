@@ -47,11 +47,12 @@ class BackEnd {
   const GraphSession* session() const { return session_; }
   /// Likewise, and those before whose maps are not closed yet.
   std::vector<GraphSession*> sessions();
+  /// Null: there is none, or it has ended.
+  GraphSession* find(SessionId id) const;
 
  private:
   void startSession(SessionId id, Stamp start, const KnownMapPtr& prior);
   void forgetEnded();
-  GraphSession* find(SessionId id) const;
 
   SlamConfig config_;
   const GraphSession::OnCorrection on_correction_;

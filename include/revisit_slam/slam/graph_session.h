@@ -87,8 +87,6 @@ class GraphSession {
   /// Whether it is known where the session lies in the map: it goes on from none, or loops tie it
   /// to the one that it goes on from.
   bool isPlaced() const;
-  /// Whether loops tie another session of the graph to the first one, whose the map is.
-  bool isPlaced(SessionId session) const;
   /// Whether this scan of the session is in the graph.
   bool has(ScanId scan) const { return scans_before_ + scan.value < graph_.size(); }
   /// How many scans of sessions that were mapped before are in the graph, the first ones.

@@ -59,13 +59,11 @@ void ExtensionDisplay::draw(const GraphSession& session) {
   if (map_.getNumSubscribers() > 0) drawMap(session);
   if (!goes_on && !told_) return;
   const Localization now = stateOf(session);
-  if (text_.getNumSubscribers() > 0) {
-    const SlamGraph& graph = session.graph();
-    const Eigen::Vector3d begin = graph.nodes().empty()
-                                      ? Eigen::Vector3d::Zero()
-                                      : graph.pose(graph.nodes().front().id).translation;
-    text_.publish(toStateText(now, begin, frame_));
-  }
+  const SlamGraph& graph = session.graph();
+  const Eigen::Vector3d begin = graph.nodes().empty()
+                                    ? Eigen::Vector3d::Zero()
+                                    : graph.pose(graph.nodes().front().id).translation;
+  text_.publish(toStateText(now, begin, frame_));
   if (told_of_ == session.id() && told_ == now.state) return;
   told_of_ = session.id();
   told_ = now.state;
@@ -81,8 +79,10 @@ void ExtensionDisplay::drawMap(const GraphSession& session) {
     cloud_ = PriorCloud();
     if (drawn_) cloud_ = PriorCloud(submapsOf(*drawn_), *drawn_->library, max_points_);
   }
+  const SessionGroups groups(session.graph().loops());
   map_.publish(cloud_.draw(frame_, [&](const Submap& submap) -> std::optional<Pose> {
-    if (!session.isPlaced(submap.id.session)) return std::nullopt;
+    if (!groups.areTied(submap.id.session, session.graph().nodes().front().id.session))
+      return std::nullopt;
     return session.graph().pose(submap.first_scan);
   }));
 }

@@ -13,8 +13,9 @@ constexpr std::size_t kMaxPoses = 2'000;
 
 std::vector<SubmapPtr> placedSubmaps(const GraphSession& session) {
   std::vector<SubmapPtr> placed;
+  if (!session.isPlaced()) return placed;
   for (const SubmapPtr& submap : session.submaps())
-    if (session.has(submap->first_scan) && session.isPlaced()) placed.push_back(submap);
+    if (session.has(submap->first_scan)) placed.push_back(submap);
   return placed;
 }
 

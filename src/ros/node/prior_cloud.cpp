@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/ros/node/prior_cloud.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 
@@ -23,7 +24,8 @@ PriorCloud::PriorCloud(const std::vector<SubmapPtr>& submaps, SubmapLibrary& lib
     : max_points_(max_points) {
   std::size_t total = 0;
   for (const SubmapPtr& submap : submaps) total += library.points(submap->id);
-  const std::size_t step = total / static_cast<std::size_t>(max_points) + 1;
+  const auto most = static_cast<std::size_t>(max_points);
+  const std::size_t step = std::max<std::size_t>(1, (total + most - 1) / most);
   for (const SubmapPtr& submap : submaps) {
     try {
       parts_.push_back({submap, eachOf(library.whole(submap->id)->points, step)});
