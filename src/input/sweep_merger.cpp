@@ -102,12 +102,11 @@ bool SweepMerger::hasGone(const Sensor& sensor) const {
 
 /// That of most of the sensors that send, of which `sender` is one; of as many it stays what it
 /// was.
-void SweepMerger::chooseClock(const Sensor& sender) {
-  const bool stays = clock_ != nullptr && !hasGone(*clock_);
-  const Sensor* best = stays ? clock_ : &sender;
-  for (const Sensor& sensor : sensors_)
-    if (!hasGone(sensor) && agreeingWith(sensor) > agreeingWith(*best)) best = &sensor;
-  clock_ = best;
+void SweepMerger::chooseClock(std::size_t sender) {
+  if (!clock_ || hasGone(sensors_[*clock_])) clock_ = sender;
+  for (std::size_t i = 0; i < sensors_.size(); ++i)
+    if (!hasGone(sensors_[i]) && agreeingWith(sensors_[i]) > agreeingWith(sensors_[*clock_]))
+      clock_ = i;
 }
 
 /// How many of the sensors that send have its clock, by their last messages.
@@ -121,9 +120,10 @@ bool SweepMerger::isNear(Stamp a, Stamp b) const {
   return std::abs(a.nanoseconds - b.nanoseconds) <= leap_ + max_wait_;
 }
 
-bool SweepMerger::isOfAnotherClock(const Sensor& sensor, Stamp stamp) const {
-  return &sensor != clock_ && clock_->reached && !isNear(stamp, *clock_->reached) &&
-         !isNear(stamp, *clock_->sent);  // which may be held, after a pause of all
+bool SweepMerger::isOfAnotherClock(std::size_t sensor, Stamp stamp) const {
+  const Sensor& clock = sensors_[*clock_];
+  return sensor != *clock_ && clock.reached && !isNear(stamp, *clock.reached) &&
+         !isNear(stamp, *clock.sent);  // which may be held, after a pause of all
 }
 
 /// Far ahead of what all have reached.
@@ -139,12 +139,12 @@ void SweepMerger::drop(const ScanReading& reading, const std::string& reason) {
 void SweepMerger::accept(ScanReading reading, std::vector<ScanReading>& sweeps) {
   Sensor& sensor = sensors_[reading.sensor];
   const Scan& scan = *reading.scan;
-  chooseClock(sensor);
-  if (isOfAnotherClock(sensor, scan.stamp)) {
+  chooseClock(reading.sensor);
+  if (isOfAnotherClock(reading.sensor, scan.stamp)) {
     sensor.is_awaited = false;
     return drop(reading, "of another clock");
   }
-  const bool went_back = &sensor == clock_ && closed_until_ &&
+  const bool went_back = reading.sensor == *clock_ && closed_until_ &&
                          scan.stamp.nanoseconds < *closed_until_ * length_ - leap_ - max_wait_;
   if (went_back) {  // the clock: what follows is another session, which the stamp gate tells
     for (ScanReading& sweep : flush()) sweeps.push_back(std::move(sweep));
@@ -287,7 +287,7 @@ void SweepMerger::restart() {
     sensor.is_awaited = true;
     sensor.account = {};
   }
-  clock_ = nullptr;
+  clock_.reset();
   closed_until_.reset();
   has_intensities_ = false;
   last_size_ = 0;

@@ -94,12 +94,12 @@ std::vector<PlacedSubmap> MapMatcher::whole(const std::vector<PlacedSubmap>& sub
   return whole;
 }
 
-MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open,
-                           const Pose& T_map_open) const {
+MapMatch MapMatcher::match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
+                           const std::vector<PlacedSubmap>& near) const {
   MapMatch match;
   std::vector<PlacedSubmap> targets;
   try {
-    targets = whole(near(T_map_open.translation));
+    targets = whole(near);
   } catch (const std::runtime_error& error) {  // the folder of the map is gone
     match.reason = error.what();
     return match;
@@ -134,25 +134,27 @@ MapMatch MapMatcher::track(const SubmapPtr& open, const Pose& T_map_open, double
       reach.degrees, 3.0 * 180.0 / M_PI * largestDeviation(covariance.bottomRightCorner<3, 3>()));
   LoopCloserConfig config = withoutCoarseLevels(config_);
   // Which the loop closer makes smaller where the surroundings are narrow.
-  const double scale = scaleOf({{open, T_map_open}}, near(T_map_open.translation));
+  const std::vector<PlacedSubmap> near = this->near(T_map_open.translation);
+  const double scale = scaleOf({{open, T_map_open}}, near);
   config.max_translation = std::min(config.max_translation, reach.metres / scale);
   tracking_.reconfigure(config);
-  return follow(tracking_, open, T_map_open, reach);
+  return follow(tracking_, open, T_map_open, near, reach);
 }
 
 MapMatch MapMatcher::follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
-                            const Reach& reach) const {
-  MapMatch match = this->match(closer, open, T_map_open);
+                            const std::vector<PlacedSubmap>& near, const Reach& reach) const {
+  MapMatch match = this->match(closer, open, T_map_open, near);
   if (match.accepted && !Moved(T_map_open, match.T_map_open).isWithin(reach))
     reject("the registration contradicts the odometry", match);
   return match;
 }
 
 MapMatch MapMatcher::relocate(const SubmapPtr& open, const Pose& T_map_open) const {
-  MapMatch first = match(coarse_to_fine_, open, T_map_open);
+  MapMatch first = match(coarse_to_fine_, open, T_map_open, near(T_map_open.translation));
   if (!first.registered) return first;
   const PairwiseConsistencyConfig& limits = config_.consistency;
-  MapMatch match = follow(fine_, open, first.T_map_open, {limits.reach(0.0), limits.rotation});
+  MapMatch match = follow(fine_, open, first.T_map_open, near(first.T_map_open.translation),
+                          {limits.reach(0.0), limits.rotation});
   if (match.accepted && !Moved(T_map_open, match.T_map_open)
                              .isWithin({config_.max_translation, config_.max_rotation}))
     reject("the registration left the guess", match);

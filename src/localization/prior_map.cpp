@@ -63,7 +63,6 @@ class PriorMapReader {
     map_.library->add(submap, nullptr);
     map_.library->noteStored(submap->id, read);
     map_.submaps.push_back({map_.library->light(submap->id), T_map_submap});
-    map_.points += submap->points.size();
   }
 
   void readPlace(LocalMapId id) {

@@ -78,7 +78,7 @@ LocalMapPtr LoopDetector::withoutPoints(const LocalMapPtr& map) const {
   return light;
 }
 
-/// With the points of its submaps.
+/// With the points of its submaps, of those that can be read.
 LocalMapPtr LoopDetector::mapOf(LocalMapId id) const {
   const LocalMapPtr& map = maps_.at(order_[id]);
   if (!library_ || !library_->has(map->submaps.front()->id)) return map;
@@ -86,14 +86,18 @@ LocalMapPtr LoopDetector::mapOf(LocalMapId id) const {
   whole->id = map->id;
   whole->after_loss = map->after_loss;
   std::exception_ptr error;
+  std::size_t read = 0;
   for (const SubmapPtr& submap : map->submaps) {
     try {
       whole->submaps.push_back(library_->whole(submap->id));
-    } catch (const std::runtime_error&) {  // its file is gone; the others may be there
+      ++read;
+    } catch (const std::runtime_error&) {
+      // Its file is gone, those of others may be there. The map's frame is that of the first.
+      whole->submaps.push_back(submap);
       error = std::current_exception();
     }
   }
-  if (whole->submaps.empty() && error) std::rethrow_exception(error);
+  if (read == 0 && error) std::rethrow_exception(error);
   return whole;
 }
 

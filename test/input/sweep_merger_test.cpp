@@ -54,6 +54,22 @@ Sweeps play(SweepMerger& merger, double seconds, double lost_from = 1e9, double 
   return sweeps;
 }
 
+/// So many messages of 0.1 s of each sensor, one sensor after the other. `begin`: s, of the i-th of
+/// a sensor.
+template <typename Begin>
+Sweeps inTurn(SweepMerger& merger, int count, const Begin& begin,
+              const std::vector<std::size_t>& sensors = {0, 1, 2}) {
+  Sweeps sweeps;
+  for (int i = 0; i < count; ++i)
+    for (const std::size_t sensor : sensors)
+      append(merger.take(messageOf(sensor, begin(i, sensor))), sweeps);
+  return sweeps;
+}
+
+double tenthsFrom0(int i, std::size_t) {
+  return 0.1 * i;
+}
+
 std::size_t pointsOf(const Sweeps& sweeps, std::size_t sensor) {
   std::size_t count = 0;
   for (const ScanReading& sweep : sweeps)
@@ -92,12 +108,7 @@ TEST(SweepMerger, EachSweepHoldsWhatAllSawInItsTime) {
 /// Whoever comes first.
 TEST(SweepMerger, TheOrderInWhichTopicsArriveChangesNothing) {
   SweepMerger one(threeSensors()), other(threeSensors());
-  Sweeps a, b;
-  for (int i = 0; i < 10; ++i)
-    for (std::size_t sensor = 0; sensor < 3; ++sensor)
-      append(one.take(messageOf(sensor, 0.1 * i)), a);
-  for (int i = 0; i < 10; ++i)
-    for (const std::size_t sensor : {2u, 0u, 1u}) append(other.take(messageOf(sensor, 0.1 * i)), b);
+  const Sweeps a = inTurn(one, 10, tenthsFrom0), b = inTurn(other, 10, tenthsFrom0, {2, 0, 1});
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].scan->stamp, b[i].scan->stamp);
@@ -145,10 +156,9 @@ TEST(SweepMerger, ASensorWithAnotherClockCostsItselfAlone) {
     for (const std::size_t other :
          {std::size_t{0}, std::size_t{2}}) {  // the first to send, and not
       SweepMerger merger(threeSensors());
-      Sweeps sweeps;
-      for (int i = 0; i < 40; ++i)
-        for (std::size_t sensor = 0; sensor < 3; ++sensor)
-          append(merger.take(messageOf(sensor, 0.1 * i + (sensor == other ? off : 0.0))), sweeps);
+      const Sweeps sweeps = inTurn(merger, 40, [&](int i, std::size_t sensor) {
+        return 0.1 * i + (sensor == other ? off : 0.0);
+      });
       EXPECT_GE(pointsOf(sweeps, 1), 36u * 20u);
       EXPECT_GE(pointsOf(sweeps, 2 - other), 36u * 20u);
       const SensorAccount account = merger.accounts().at(other == 0 ? "/roof" : "/rear");
@@ -163,12 +173,10 @@ TEST(SweepMerger, ASensorWithAnotherClockCostsItselfAlone) {
 
 TEST(SweepMerger, AClockThatStepsWhileItDrivesCostsItsSensorUntilItIsRight) {
   SweepMerger merger(threeSensors());
-  Sweeps sweeps;
-  for (int i = 0; i < 90; ++i)
-    for (std::size_t sensor = 0; sensor < 3; ++sensor) {
-      const bool is_off = sensor == 0 && 30 <= i && i < 60;
-      append(merger.take(messageOf(sensor, 0.1 * i + (is_off ? 18.0 : 0.0))), sweeps);
-    }
+  const Sweeps sweeps = inTurn(merger, 90, [](int i, std::size_t sensor) {
+    const bool is_off = sensor == 0 && 30 <= i && i < 60;
+    return 0.1 * i + (is_off ? 18.0 : 0.0);
+  });
   EXPECT_GE(pointsOf(sweeps, 1), 85u * 20u);
   EXPECT_GE(pointsOf(sweeps, 2), 85u * 20u);
   EXPECT_NEAR(static_cast<double>(pointsOf(sweeps, 0)), 59.0 * 20.0, 80.0);
@@ -179,22 +187,19 @@ TEST(SweepMerger, OfTwoClocksThatOfTheFirstIsTaken) {
   ScanInputConfig config = threeSensors();
   config.topics = "/a /b";
   SweepMerger merger(config);
-  Sweeps sweeps;
-  for (int i = 0; i < 40; ++i) {
-    append(merger.take(messageOf(0, 0.1 * i)), sweeps);
-    append(merger.take(messageOf(1, 0.1 * i + 5.0)), sweeps);
-  }
+  const Sweeps sweeps =
+      inTurn(merger, 40,
+             [](int i, std::size_t sensor) { return 0.1 * i + 5.0 * static_cast<double>(sensor); },
+             {0, 1});
   EXPECT_GE(pointsOf(sweeps, 0), 38u * 20u);
   EXPECT_TRUE(merger.accounts().at("/b").is_late);
 }
 
+/// Whichever goes on first; before, the first was the clock.
 TEST(SweepMerger, APauseOfAllCostsNothing) {
   SweepMerger merger(threeSensors());
-  Sweeps sweeps;
-  for (const double begin : {0.0, 13.0})
-    for (int i = 0; i < 20; ++i)
-      for (const std::size_t sensor : {0u, 1u, 2u})  // the first is the clock
-        append(merger.take(messageOf(sensor, begin + 0.1 * i)), sweeps);
+  inTurn(merger, 20, tenthsFrom0);
+  inTurn(merger, 20, [](int i, std::size_t) { return 13.0 + 0.1 * i; }, {1, 2, 0});
   for (const auto& [topic, account] : merger.accounts())
     EXPECT_EQ(account.points_dropped.count("of another clock"), 0u) << topic;
 }
@@ -212,9 +217,7 @@ TEST(SweepMerger, AWrongStampThatNothingConfirmsIsNotUsed) {
   SweepMerger begins(threeSensors());
   append(begins.take(messageOf(0, 0.0)), sweeps);
   append(begins.take(messageOf(1, 3600.0)), sweeps);
-  for (int i = 0; i < 20; ++i)
-    for (std::size_t sensor = 0; sensor < 3; ++sensor)
-      append(begins.take(messageOf(sensor, 0.1 * (i + 1))), sweeps);
+  inTurn(begins, 20, [](int i, std::size_t) { return 0.1 * (i + 1); });
   for (const auto& [topic, account] : begins.accounts()) {
     EXPECT_FALSE(account.is_late) << topic;
     EXPECT_GE(account.points, 18u * 20u) << topic;
@@ -253,9 +256,7 @@ TEST(SweepMerger, AWrongStampAheadCostsItsMessageAlone) {
   SweepMerger merger(threeSensors());
   Sweeps sweeps = play(merger, 2.0);
   append(merger.take(messageOf(0, 3600.0)), sweeps);
-  for (int i = 20; i < 40; ++i)
-    for (std::size_t sensor = 0; sensor < 3; ++sensor)
-      append(merger.take(messageOf(sensor, 0.1 * i)), sweeps);
+  append(inTurn(merger, 20, [](int i, std::size_t) { return 0.1 * (i + 20); }), sweeps);
   EXPECT_GE(sweeps.size(), 37u);
   EXPECT_EQ(merger.accounts().at("/roof").points_dropped.at("stamp ahead of the next one"), 20u);
 }

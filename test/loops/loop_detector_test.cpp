@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <set>
+#include <stdexcept>
+
 #include "support/street_revisit.h"
 
 namespace revisit_slam {
@@ -76,6 +80,37 @@ TEST(LoopDetector, MapsThatLoopsTieToEnoughOthersAndToEachOtherAreNotCompared) {
   EXPECT_FALSE(isCompared(1, true));
   EXPECT_TRUE(isCompared(2, true));
   EXPECT_TRUE(isCompared(1, false)) << "to others, not to each other";
+}
+
+/// The retroactive loops of the newest map, where the submaps of these numbers cannot be read.
+std::vector<LoopConstraint> foundWithout(const std::set<std::uint32_t>& gone) {
+  const auto library = std::make_shared<SubmapLibrary>(0);
+  LoopsConfig loops;
+  loops.recognition.min_inliers = 10000;
+  LoopDetector detector(loops, {}, {}, library);
+  for (const LocalMapPtr& map : streetRevisit()) {
+    for (const SubmapPtr& submap : map->submaps) {
+      library->add(submap, nullptr);
+      const bool is_gone = gone.count(submap->id.value) > 0;
+      library->noteStored(submap->id, [submap, is_gone] {
+        if (is_gone) throw std::runtime_error("gone");
+        return *submap;
+      });
+    }
+    detector.searchByAppearance(map);
+  }
+  return detector.searchRetroactively().accepted();
+}
+
+TEST(LoopDetector, ASubmapThatCannotBeReadCostsItsOwnLoopsAlone) {
+  const auto targets = [](const std::vector<LoopConstraint>& loops) {
+    std::set<std::uint32_t> targets;
+    for (const LoopConstraint& loop : loops) targets.insert(loop.target.value);
+    return targets;
+  };
+  EXPECT_EQ(targets(foundWithout({})), (std::set<std::uint32_t>{0, 1}));
+  EXPECT_EQ(targets(foundWithout({0})), std::set<std::uint32_t>{1});
+  EXPECT_THROW(foundWithout({0, 1}), std::runtime_error);
 }
 
 TEST_F(LoopDetectorTest, whatTheGraphRejectsIsNoClosure) {

@@ -70,10 +70,10 @@ class SweepMerger {
 
   void noteArrival(Sensor& sensor, Stamp stamp);
   bool hasGone(const Sensor& sensor) const;
-  void chooseClock(const Sensor& sender);
+  void chooseClock(std::size_t sender);
   std::size_t agreeingWith(const Sensor& sensor) const;
   bool isNear(Stamp a, Stamp b) const;
-  bool isOfAnotherClock(const Sensor& sensor, Stamp stamp) const;
+  bool isOfAnotherClock(std::size_t sensor, Stamp stamp) const;
   void drop(const ScanReading& reading, const std::string& reason);
   void accept(ScanReading reading, std::vector<ScanReading>& sweeps);
   void store(const Scan& scan, Sensor& sensor) const;
@@ -89,7 +89,8 @@ class SweepMerger {
   std::int64_t max_wait_;  // ns
   std::int64_t leap_;      // ns: a stamp so far off has to be confirmed
   std::vector<Sensor> sensors_;
-  const Sensor* clock_ = nullptr;  // whose clock is that of the sweeps; null: none has sent
+  std::optional<std::size_t>
+      clock_;  // the sensor whose clock is that of the sweeps, once one has sent
   std::optional<std::int64_t> closed_until_;  // window behind the last one that was closed
   bool has_intensities_ = false;              // some sensor has
   std::size_t last_size_ = 0;                 // points of the last sweep

@@ -46,9 +46,11 @@ class MapMatcher {
   MapMatch relocate(const SubmapPtr& open, const Pose& T_map_open) const;
 
  private:
+  // `near`: submaps about T_map_open, without points.
   MapMatch follow(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
-                  const Reach& reach) const;
-  MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open) const;
+                  const std::vector<PlacedSubmap>& near, const Reach& reach) const;
+  MapMatch match(const LoopCloser& closer, const SubmapPtr& open, const Pose& T_map_open,
+                 const std::vector<PlacedSubmap>& near) const;
   std::vector<PlacedSubmap> near(const Eigen::Vector3d& position) const;
   std::vector<PlacedSubmap> whole(const std::vector<PlacedSubmap>& submaps) const;
 

@@ -20,7 +20,6 @@ struct PriorMap {
   SessionInfo info;
   std::vector<PlacedSubmap> submaps;       ///< without points and normals; common frame: the map
   std::shared_ptr<SubmapLibrary> library;  ///< of these, which reads them from the session's folder
-  std::size_t points = 0;                  ///< of all submaps
   std::vector<StoredLocalMap>
       places;                     ///< whose features can be compared, and whose submaps are there
   std::vector<Pose> T_map_place;  ///< of these, frames of the local maps

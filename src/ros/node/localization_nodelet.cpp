@@ -196,12 +196,13 @@ void LocalizationNodelet::drawMap() {
 
 void LocalizationNodelet::drawTarget(const std::optional<SubmapId>& target) const {
   if (target_publisher_.getNumSubscribers() == 0) return;
-  std::vector<PlacedSubmap> matched;
-  for (const PlacedSubmap& placed : stage_->map().submaps)
-    if (placed.submap->id == target) matched.push_back(stage_->map().whole(placed));
+  PlacedSubmap matched;
   std::vector<CloudPart> parts;
-  for (const PlacedSubmap& placed : matched)
-    parts.push_back({&placed.submap->points, placed.T_common_submap, colour(0.2, 0.8, 0.3)});
+  for (const PlacedSubmap& placed : stage_->map().submaps) {
+    if (placed.submap->id != target) continue;
+    matched = stage_->map().whole(placed);
+    parts.push_back({&matched.submap->points, matched.T_common_submap, colour(0.2, 0.8, 0.3)});
+  }
   target_publisher_.publish(
       toColouredCloud(parts, config_.frames.map, config_.live.max_cloud_points));
 }
