@@ -10,7 +10,7 @@
 
 namespace revisit_slam {
 
-void writeOctomap(const std::string& path, const OccupancyMap& map) {
+void writeOctomap(const std::string& path, const OccupancyVoxels& map) {
   writeOctomap(path, *octreeOf(map));
 }
 

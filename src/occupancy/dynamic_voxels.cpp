@@ -20,7 +20,7 @@ bool DynamicVoxels::isBesideDynamic(const Voxel& voxel) const {
   return false;
 }
 
-void DynamicVoxels::clear(OccupancyMap& map) const {
+void DynamicVoxels::clear(OccupancyVoxels& map) const {
   map.markFree([&](const Voxel& voxel) {
     return kept_.count(packVoxel(voxel)) == 0 && isBesideDynamic(voxel);
   });

@@ -2,35 +2,13 @@
 #include "revisit_slam/occupancy/occupancy_map.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
+#include <iterator>
 #include <utility>
 
 #include "revisit_slam/occupancy/occupancy_resampling.h"
 
 namespace revisit_slam {
 namespace {
-
-double logOdds(double probability) {
-  return std::log(probability / (1.0 - probability));
-}
-
-template <typename Vector>
-Vector roundedTo(double step, const Vector& v) {
-  return v.unaryExpr([step](double c) { return step * std::round(c / step); });
-}
-
-/// The pose in steps that move no point within max_ray of the keypose by more than pose_step
-/// voxels; half of that for the translation, half for the rotation.
-Pose rounded(const Pose& T, const OccupancyConfig& config) {
-  const double most = config.pose_step * config.resolution;
-  if (most == 0.0) return T;
-  const Eigen::Vector4d q =
-      roundedTo<Eigen::Vector4d>(most / (4.0 * config.max_ray), T.rotation.coeffs());
-  return {Eigen::Quaterniond(q.normalized()),
-          roundedTo<Eigen::Vector3d>(most / std::sqrt(3.0), T.translation)};
-}
 
 bool samePose(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotationMatrix() == b.rotationMatrix();
@@ -48,11 +26,8 @@ void sortUnique(std::vector<Voxel>& blocks) {
 }  // namespace
 
 bool OccupancyMap::place(SubmapId id, SubmapOccupancyPtr occupancy, const Pose& T_map_submap) {
-  if (occupancy->resolution() != config_.resolution)
-    throw std::invalid_argument("submap " + std::to_string(id.value) + " has voxels of " +
-                                std::to_string(occupancy->resolution()) + " m, the map of " +
-                                std::to_string(config_.resolution) + " m");
-  Placed now{std::move(occupancy), rounded(T_map_submap, config_)};
+  checkResolution(id, *occupancy, config_);
+  Placed now{std::move(occupancy), roundedPose(T_map_submap, config_)};
   const auto known = submaps_.find(id);
   if (known != submaps_.end()) {
     const Placed& old = known->second;
@@ -93,15 +68,16 @@ std::size_t OccupancyMap::compose() {
   const auto is_touched = [&](const OccupancyBlock& old) {
     return std::binary_search(touched.begin(), touched.end(), old.block, BlockOrder());
   };
-  std::remove_copy_if(blocks_.begin(), blocks_.end(), std::back_inserter(all), is_touched);
+  std::remove_copy_if(voxels_.blocks.begin(), voxels_.blocks.end(), std::back_inserter(all),
+                      is_touched);
   const auto kept = static_cast<std::ptrdiff_t>(all.size());
   for (std::size_t i = 0; i < touched.size(); ++i) {
     const OccupancyBlock block = composed(touched[i], reaching[i]);
-    if (block.occupied.any() || block.free.any()) all.push_back(block);
+    if (block.isKnown()) all.push_back(block);
   }
   std::inplace_merge(all.begin(), all.begin() + kept, all.end(), before);
   all.shrink_to_fit();
-  blocks_ = std::move(all);
+  voxels_.blocks = std::move(all);
   return touched.size();
 }
 
@@ -110,42 +86,11 @@ OccupancyBlock OccupancyMap::composed(const Voxel& block,
   BlockEvidence evidence;
   for (const Placed* placed : submaps)
     addEvidence(*placed->occupancy, placed->T_map_submap, block, evidence);
-  const double hit = logOdds(config_.hit), miss = logOdds(config_.miss);
-  const double occupied = logOdds(config_.occupied);
-  OccupancyBlock result{block, {}, {}};
-  for (int bit = 0; bit < kBlockVoxels; ++bit) {
-    const std::uint32_t hits = evidence.hits[bit], misses = evidence.misses[bit];
-    const bool driven = evidence.driven.test(bit);
-    if (hits + misses == 0 && !driven) continue;
-    const bool is_occupied = !driven && hits > 0 && hits * hit + misses * miss >= occupied;
-    (is_occupied ? result.occupied : result.free).set(bit);
-  }
-  return result;
-}
-
-void OccupancyMap::markFree(const std::function<bool(const Voxel&)>& is_free) {
-  for (OccupancyBlock& block : blocks_) {
-    VoxelMask freed;
-    block.occupied.forEach([&](int bit) {
-      if (is_free(voxelAt(block.block, bit))) freed.set(bit);
-    });
-    block.occupied = block.occupied & ~freed;
-    block.free = block.free | freed;
-  }
+  return decide(block, evidence, config_);
 }
 
 std::size_t OccupancyMap::bytes() const {
-  return blocks_.capacity() * sizeof(OccupancyBlock) + submaps_.size() * sizeof(Placed);
-}
-
-Points occupiedCentres(const OccupancyMap& map) {
-  const auto edge = static_cast<float>(map.resolution());
-  Points centres;
-  for (const OccupancyBlock& block : map.blocks())
-    block.occupied.forEach([&](int bit) {
-      centres.push_back(edge * (voxelAt(block.block, bit).cast<float>().array() + 0.5f));
-    });
-  return centres;
+  return voxels_.blocks.capacity() * sizeof(OccupancyBlock) + submaps_.size() * sizeof(Placed);
 }
 
 }  // namespace revisit_slam

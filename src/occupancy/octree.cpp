@@ -43,21 +43,21 @@ Eigen::Vector2i tileOf(const Voxel& block) {
 
 }  // namespace
 
-std::unique_ptr<octomap::OcTree> octreeOf(const OccupancyMap& map) {
-  auto tree = std::make_unique<octomap::OcTree>(map.resolution());
-  for (const OccupancyBlock& block : map.blocks()) put(block, Voxel::Zero(), *tree);
+std::unique_ptr<octomap::OcTree> octreeOf(const OccupancyVoxels& map) {
+  auto tree = std::make_unique<octomap::OcTree>(map.resolution);
+  for (const OccupancyBlock& block : map.blocks) put(block, Voxel::Zero(), *tree);
   return tree;
 }
 
-bool fitsOctree(const OccupancyMap& map) {
-  return std::all_of(map.blocks().begin(), map.blocks().end(),
+bool fitsOctree(const OccupancyVoxels& map) {
+  return std::all_of(map.blocks.begin(), map.blocks.end(),
                      [](const OccupancyBlock& block) { return fits(block.block); });
 }
 
-void forEachOctreeTile(const OccupancyMap& map,
+void forEachOctreeTile(const OccupancyVoxels& map,
                        const std::function<void(const OctreeTile&)>& take) {
   std::map<std::pair<int, int>, std::vector<const OccupancyBlock*>> tiles;
-  for (const OccupancyBlock& block : map.blocks()) {
+  for (const OccupancyBlock& block : map.blocks) {
     const Eigen::Vector2i number = tileOf(block.block);
     tiles[{number.x(), number.y()}].push_back(&block);
   }
@@ -65,8 +65,8 @@ void forEachOctreeTile(const OccupancyMap& map,
     const Voxel origin(kTileBlocks * number.first + kTileBlocks / 2,
                        kTileBlocks * number.second + kTileBlocks / 2, 0);
     OctreeTile tile{{number.first, number.second},
-                    map.resolution() * kBlockEdge * origin.cast<double>(),
-                    std::make_unique<octomap::OcTree>(map.resolution())};
+                    map.resolution * kBlockEdge * origin.cast<double>(),
+                    std::make_unique<octomap::OcTree>(map.resolution)};
     for (const OccupancyBlock* block : blocks) put(*block, origin, *tile.tree);
     take(tile);
   }

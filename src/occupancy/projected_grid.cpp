@@ -37,9 +37,9 @@ std::int8_t stateOf(const BlockStack& stack, int c, const Band& band) {
 
 }  // namespace
 
-ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& config,
+ProjectedGrid projectedGrid(const OccupancyVoxels& map, const ProjectedGridConfig& config,
                             double most_cells) {
-  const std::vector<BlockStack> stacks = stacksOf(map.blocks());
+  const std::vector<BlockStack> stacks = stacksOf(map.blocks);
   if (stacks.empty()) return {};
   Eigen::Vector2i first = stacks.front().place, last = first;
   for (const BlockStack& stack : stacks) {
@@ -54,7 +54,7 @@ ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& 
     throw std::length_error(text.str());
   }
   ProjectedGrid grid;
-  grid.resolution = map.resolution();
+  grid.resolution = map.resolution;
   grid.origin = grid.resolution * kBlockEdge * first.cast<double>();
   grid.width = kBlockEdge * (last.x() - first.x() + 1);
   grid.height = kBlockEdge * (last.y() - first.y() + 1);

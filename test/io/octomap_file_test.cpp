@@ -17,12 +17,12 @@ octomap::point3d pointOf(const Voxel& voxel, double resolution) {
 }
 
 /// The tree that OctoMap itself makes of the map.
-octomap::OcTree treeOf(const OccupancyMap& map) {
-  octomap::OcTree tree(map.resolution());
-  for (const OccupancyBlock& block : map.blocks()) {
+octomap::OcTree treeOf(const OccupancyVoxels& map) {
+  octomap::OcTree tree(map.resolution);
+  for (const OccupancyBlock& block : map.blocks) {
     const auto put = [&](const VoxelMask& mask, float log_odds) {
       mask.forEach([&](int bit) {
-        tree.setNodeValue(pointOf(voxelAt(block.block, bit), map.resolution()), log_odds, true);
+        tree.setNodeValue(pointOf(voxelAt(block.block, bit), map.resolution), log_odds, true);
       });
     };
     put(block.occupied, 1.0f);
@@ -32,7 +32,7 @@ octomap::OcTree treeOf(const OccupancyMap& map) {
   return tree;
 }
 
-std::vector<OccupancyMap> someMaps() {
+std::vector<OccupancyVoxels> someMaps() {
   RandomNumbers random(1);
   std::vector<VoxelCounts> hall;  // large enough for whole blocks to become one node
   for (int x = -24; x < 24; ++x)
@@ -47,7 +47,7 @@ std::vector<OccupancyMap> someMaps() {
 
 TEST(OctomapFile, IsWhatOctomapWrites) {
   const TemporaryFolder folder;
-  for (const OccupancyMap& map : someMaps()) {
+  for (const OccupancyVoxels& map : someMaps()) {
     writeOctomap(folder.file("map.bt"), map);
     octomap::OcTree tree = treeOf(map);
     ASSERT_TRUE(tree.writeBinary(folder.file("theirs.bt")));
@@ -57,12 +57,12 @@ TEST(OctomapFile, IsWhatOctomapWrites) {
 
 TEST(OctomapFile, OctomapReadsEveryVoxel) {
   const TemporaryFolder folder;
-  const OccupancyMap map = someMaps()[1];
+  const OccupancyVoxels map = someMaps()[1];
   writeOctomap(folder.file("map.bt"), map);
   octomap::OcTree tree(1.0);
   ASSERT_TRUE(tree.readBinary(folder.file("map.bt")));
-  EXPECT_EQ(tree.getResolution(), map.resolution());
-  for (const OccupancyBlock& block : map.blocks())
+  EXPECT_EQ(tree.getResolution(), map.resolution);
+  for (const OccupancyBlock& block : map.blocks)
     for (int bit = 0; bit < kBlockVoxels; ++bit) {
       const octomap::OcTreeNode* node = tree.search(pointOf(voxelAt(block.block, bit), 0.5));
       ASSERT_EQ(node != nullptr, block.occupied.test(bit) || block.free.test(bit));
@@ -73,7 +73,7 @@ TEST(OctomapFile, OctomapReadsEveryVoxel) {
 
 TEST(OctomapFile, AnEmptyMapIsAnEmptyTree) {
   const TemporaryFolder folder;
-  writeOctomap(folder.file("map.bt"), OccupancyMap{OccupancyConfig{}});
+  writeOctomap(folder.file("map.bt"), OccupancyVoxels{0.5, {}});
   octomap::OcTree tree(1.0);
   ASSERT_TRUE(tree.readBinary(folder.file("map.bt")));
   EXPECT_EQ(tree.size(), 0u);

@@ -8,8 +8,8 @@
 namespace revisit_slam {
 namespace {
 
-bool isOccupied(const OccupancyMap& map, const Voxel& voxel) {
-  for (const OccupancyBlock& block : map.blocks())
+bool isOccupied(const OccupancyVoxels& map, const Voxel& voxel) {
+  for (const OccupancyBlock& block : map.blocks)
     if (block.block == blockOf(voxel)) {
       EXPECT_NE(block.occupied.test(bitOf(voxel)), block.free.test(bitOf(voxel)));
       return block.occupied.test(bitOf(voxel));
@@ -19,7 +19,7 @@ bool isOccupied(const OccupancyMap& map, const Voxel& voxel) {
 
 TEST(DynamicVoxels, AreFreeWhereNothingElseIs) {
   const Voxel moved(2, 0, 1), shared(3, 0, 1), beside(2, 1, 1), standing(8, 0, 1);
-  OccupancyMap map =
+  OccupancyVoxels map =
       mapOf(submapOf({{moved, 2, 1}, {shared, 2, 1}, {beside, 2, 1}, {standing, 2, 1}}));
   for (const Voxel& voxel : {moved, shared, beside, standing}) EXPECT_TRUE(isOccupied(map, voxel));
   DynamicVoxels dynamic(0.5);

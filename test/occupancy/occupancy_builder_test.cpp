@@ -101,7 +101,7 @@ TEST(OccupancyBuilder, NothingIsOccupiedWhereTheRobotDrove) {
                    sensor);
     builder.drive(ahead(2.5 * std::max(i - 1, 0)), ahead(2.5 * i), sensor);
   }
-  const OccupancyMap map = mapOf(builder.close());
+  const OccupancyVoxels map = mapOf(builder.close());
   const Points centres = occupiedCentres(map);
   std::size_t ground = 0, beside = 0;
   for (const Eigen::Vector3f& p : centres) {
@@ -126,10 +126,10 @@ TEST(OccupancyBuilder, RaysOfSeveralSensorsBeginAtTheirOwn) {
   OccupancyBuilder builder({});
   builder.insert({{5.2f, 0.2f, 0.2f}, {5.2f, 8.2f, 0.2f}}, {}, {0, 0, 0},
                  {{{0.2, 0.2, 0.2}, 1}, {{0.2, 8.2, 0.2}, 2}});
-  const OccupancyMap map = mapOf(builder.close());
+  const OccupancyVoxels map = mapOf(builder.close());
   const auto isFree = [&](double x, double y) {
     const Voxel voxel = voxelOf<double>(Eigen::Vector3d(x, y, 0.2) / 0.5);
-    for (const OccupancyBlock& block : map.blocks())
+    for (const OccupancyBlock& block : map.blocks)
       if (block.block == blockOf(voxel)) return block.free.test(bitOf(voxel));
     return false;
   };

@@ -10,13 +10,6 @@
 namespace revisit_slam {
 namespace {
 
-bool same(const OccupancyMap& a, const OccupancyMap& b) {
-  return std::equal(a.blocks().begin(), a.blocks().end(), b.blocks().begin(), b.blocks().end(),
-                    [](const OccupancyBlock& x, const OccupancyBlock& y) {
-                      return x.block == y.block && x.occupied == y.occupied && x.free == y.free;
-                    });
-}
-
 struct Drive {
   std::vector<SubmapOccupancyPtr> submaps;
   std::vector<Pose> T_map_submap;
@@ -55,7 +48,8 @@ TEST_P(OccupancyMapHistory, EqualsTheMapBuiltAnewAfterAnySequenceOfMoves) {
     if (move % 4 != 0) map.compose();
     if (move % 5 != 0) continue;
     map.compose();
-    EXPECT_TRUE(same(map, builtAnew(drive, GetParam()))) << "after move " << move;
+    EXPECT_TRUE(same(map.voxels().blocks, builtAnew(drive, GetParam()).voxels().blocks))
+        << "after move " << move;
   }
 }
 
@@ -89,7 +83,7 @@ TEST(OccupancyMap, RoundedPosesStayWithinTheStep) {
   for (int trial = 0; trial < 200; ++trial) {
     const Pose T = random.pose(100.0);
     const Eigen::Vector3d wanted = T * Eigen::Vector3d(27.75, 2.75, 0.25);
-    const OccupancyMap map = mapOf(submap, T);
+    const OccupancyVoxels map = mapOf(submap, T);
     double nearest = 1e9;
     for (const Eigen::Vector3f& centre : occupiedCentres(map))
       nearest = std::min(nearest, (centre.cast<double>() - wanted).norm());
@@ -117,11 +111,11 @@ TEST(OccupancyMap, LaterPassesClearWhatHasGone) {
   OccupancyMap map{OccupancyConfig{}};
   map.place({0}, parked, {});
   map.compose();
-  EXPECT_EQ(occupiedCentres(map).size(), 1u);
+  EXPECT_EQ(occupiedCentres(map.voxels()).size(), 1u);
   map.place({1}, gone, {});
   map.compose();
-  EXPECT_TRUE(occupiedCentres(map).empty());
-  EXPECT_TRUE(map.blocks()[0].free.test(0));
+  EXPECT_TRUE(occupiedCentres(map.voxels()).empty());
+  EXPECT_TRUE(map.voxels().blocks[0].free.test(0));
 }
 
 TEST(OccupancyMap, WhereRaysOnlyPassedNothingIsWhateverTheProbabilities) {
@@ -131,12 +125,12 @@ TEST(OccupancyMap, WhereRaysOnlyPassedNothingIsWhateverTheProbabilities) {
   OccupancyMap map{config};
   map.place({0}, submapOf({{{0, 0, 0}, 0, 1}}), {});
   map.compose();
-  EXPECT_TRUE(occupiedCentres(map).empty());
-  EXPECT_TRUE(map.blocks()[0].free.test(0));
+  EXPECT_TRUE(occupiedCentres(map.voxels()).empty());
+  EXPECT_TRUE(map.voxels().blocks[0].free.test(0));
 }
 
 TEST(OccupancyMap, GivesTheCentresOfOccupiedVoxels) {
-  const OccupancyMap map = mapOf(submapOf({{{-1, 4, 9}, 2, 1}, {{0, 0, 0}, 0, 1}}));
+  const OccupancyVoxels map = mapOf(submapOf({{{-1, 4, 9}, 2, 1}, {{0, 0, 0}, 0, 1}}));
   ASSERT_EQ(occupiedCentres(map).size(), 1u);
   EXPECT_EQ(occupiedCentres(map)[0], Eigen::Vector3f(-0.25f, 2.25f, 4.75f));
 }

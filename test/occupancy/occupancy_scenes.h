@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -38,13 +39,20 @@ inline SubmapOccupancyPtr randomSubmap(RandomNumbers& random, int half = 12) {
   return submapOf(voxels);
 }
 
-inline OccupancyMap mapOf(const SubmapOccupancyPtr& submap, const Pose& T_map_submap = {}) {
+inline OccupancyVoxels mapOf(const SubmapOccupancyPtr& submap, const Pose& T_map_submap = {}) {
   OccupancyConfig config;
   config.resolution = submap->resolution();
   OccupancyMap map(config);
   map.place({0}, submap, T_map_submap);
   map.compose();
-  return map;
+  return map.voxels();
+}
+
+inline bool same(const std::vector<OccupancyBlock>& a, const std::vector<OccupancyBlock>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const OccupancyBlock& x, const OccupancyBlock& y) {
+                      return x.block == y.block && x.occupied == y.occupied && x.free == y.free;
+                    });
 }
 
 }  // namespace revisit_slam

@@ -106,7 +106,7 @@ TEST(ProjectedGrid, ARoofIsNotTheGround) {
 }
 
 TEST(ProjectedGrid, OfNothingIsEmpty) {
-  EXPECT_TRUE(projectedGrid(OccupancyMap{OccupancyConfig{}}, {}).cells.empty());
+  EXPECT_TRUE(projectedGrid(OccupancyVoxels{}, {}).cells.empty());
 }
 
 }  // namespace

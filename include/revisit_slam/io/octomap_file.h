@@ -12,7 +12,7 @@ namespace revisit_slam {
 /// byte what `octomap::OcTree::writeBinary` writes.
 /// @throws std::runtime_error naming the file, or where the map is larger than an octree of 16
 /// levels (octreeOf).
-void writeOctomap(const std::string& path, const OccupancyMap& map);
+void writeOctomap(const std::string& path, const OccupancyVoxels& map);
 void writeOctomap(const std::string& path, const octomap::OcTree& tree);
 
 }  // namespace revisit_slam

@@ -4,7 +4,7 @@
 #include <tsl/robin_set.h>
 
 #include "revisit_slam/geometry/voxel.h"
-#include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_voxels.h"
 
 namespace revisit_slam {
 
@@ -18,7 +18,7 @@ class DynamicVoxels {
   void add(const Points& kept_map, const Points& dynamic_map);
   /// Makes them free. So are occupied voxels beside them without any point: submaps are composed at
   /// rounded poses.
-  void clear(OccupancyMap& map) const;
+  void clear(OccupancyVoxels& map) const;
 
  private:
   using Keys = tsl::robin_set<std::uint64_t, VoxelKeyHash>;

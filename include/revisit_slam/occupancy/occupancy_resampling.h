@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
-#include "revisit_slam/occupancy/submap_occupancy.h"
-#include "revisit_slam/types/pose.h"
+#include "revisit_slam/occupancy/occupancy_evidence.h"
 
 namespace revisit_slam {
-
-/// Sums of what submaps say about the voxels of one block of the map.
-struct BlockEvidence {
-  std::array<std::uint32_t, kBlockVoxels> hits{};
-  std::array<std::uint32_t, kBlockVoxels> misses{};
-  VoxelMask driven;  ///< the robot was there
-};
 
 /// The blocks of the map in which the submap may say something, in BlockOrder, each once.
 std::vector<Voxel> blocksReached(const SubmapOccupancy& submap, const Pose& T_map_submap);

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_voxels.h"
 
 namespace revisit_slam {
 
@@ -15,7 +15,7 @@ namespace revisit_slam {
 /// the map and is meant to be written or sent and dropped.
 /// @throws std::runtime_error where the map reaches beyond an octree of 16 levels, whose border is
 /// 32768 voxels from the origin.
-std::unique_ptr<octomap::OcTree> octreeOf(const OccupancyMap& map);
+std::unique_ptr<octomap::OcTree> octreeOf(const OccupancyVoxels& map);
 
 /// A square of the map as an octree whose origin is in the middle of the square.
 struct OctreeTile {
@@ -25,12 +25,13 @@ struct OctreeTile {
 };
 
 /// Whether octreeOf can take the map.
-bool fitsOctree(const OccupancyMap& map);
+bool fitsOctree(const OccupancyVoxels& map);
 
 /// Edge of the squares, voxels.
 constexpr int kOctreeTile = 32768;
 
 /// Hands out the map square by square, one in memory at a time.
-void forEachOctreeTile(const OccupancyMap& map, const std::function<void(const OctreeTile&)>& take);
+void forEachOctreeTile(const OccupancyVoxels& map,
+                       const std::function<void(const OctreeTile&)>& take);
 
 }  // namespace revisit_slam

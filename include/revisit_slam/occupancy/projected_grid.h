@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_config.h"
+#include "revisit_slam/occupancy/occupancy_voxels.h"
 
 namespace revisit_slam {
 
@@ -25,7 +26,7 @@ struct ProjectedGrid {
 /// A column with an occupied voxel in the band is occupied, else one with a free voxel there is
 /// free. Where levels lie above each other the lowest is shown.
 /// @throws std::length_error where there would be more than `most_cells`, of one byte each.
-ProjectedGrid projectedGrid(const OccupancyMap& map, const ProjectedGridConfig& config,
+ProjectedGrid projectedGrid(const OccupancyVoxels& map, const ProjectedGridConfig& config,
                             double most_cells = 1e9);
 
 }  // namespace revisit_slam

@@ -43,7 +43,7 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const ProjectedGrid& grid, Stamp stamp,
   return message;
 }
 
-visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyMap& map, Stamp stamp,
+visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyVoxels& map, Stamp stamp,
                                                const std::string& frame) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker& marker = array.markers.emplace_back();
@@ -52,7 +52,7 @@ visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyMap& map, Stamp st
   marker.ns = "occupied";
   marker.type = marker.CUBE_LIST;
   marker.pose.orientation.w = 1.0;
-  marker.scale.x = marker.scale.y = marker.scale.z = map.resolution();
+  marker.scale.x = marker.scale.y = marker.scale.z = map.resolution;
   for (const Eigen::Vector3f& centre : occupiedCentres(map)) {
     geometry_msgs::Point& point = marker.points.emplace_back();
     point.x = centre.x();
@@ -65,7 +65,7 @@ visualization_msgs::MarkerArray toVoxelMarkers(const OccupancyMap& map, Stamp st
 }
 
 #ifdef REVISIT_SLAM_OCTOMAP_MSGS
-octomap_msgs::Octomap toOctomap(const OccupancyMap& map, Stamp stamp, const std::string& frame) {
+octomap_msgs::Octomap toOctomap(const OccupancyVoxels& map, Stamp stamp, const std::string& frame) {
   octomap_msgs::Octomap message;
   message.header.stamp = toRosTime(stamp);
   message.header.frame_id = frame;

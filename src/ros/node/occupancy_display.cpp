@@ -53,15 +53,16 @@ void OccupancyDisplay::draw(const GraphSession& session) {
   const bool wanted = config_.enabled && (cells || voxels || grid || octomap);
   if (!wanted || session.graph().size() == 0 || !session.isPlaced()) return;
   place(session);
+  const OccupancyVoxels& map = map_.voxels();
   const Stamp stamp = session.graph().nodes().back().stamp;
-  if (cells) cells_.publish(toPointCloud(occupiedCentres(map_), stamp, frame_));
-  if (voxels) voxels_.publish(toVoxelMarkers(map_, stamp, frame_));
+  if (cells) cells_.publish(toPointCloud(occupiedCentres(map), stamp, frame_));
+  if (voxels) voxels_.publish(toVoxelMarkers(map, stamp, frame_));
   if (grid)
     publishWhereItFits([&] {
-      grid_.publish(toOccupancyGrid(projectedGrid(map_, config_.grid, kMostCells), stamp, frame_));
+      grid_.publish(toOccupancyGrid(projectedGrid(map, config_.grid, kMostCells), stamp, frame_));
     });
 #ifdef REVISIT_SLAM_OCTOMAP_MSGS
-  if (octomap) publishWhereItFits([&] { octomap_.publish(toOctomap(map_, stamp, frame_)); });
+  if (octomap) publishWhereItFits([&] { octomap_.publish(toOctomap(map, stamp, frame_)); });
 #endif
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "revisit_slam/occupancy/occupancy_builder.h"
+#include "revisit_slam/occupancy/occupancy_map.h"
 #ifdef REVISIT_SLAM_OCTOMAP_MSGS
 #include <octomap_msgs/conversions.h>
 
@@ -14,7 +15,7 @@ namespace revisit_slam {
 namespace {
 
 /// A wall at x = 5, seen from the origin.
-OccupancyMap mapOfWall(const OccupancyConfig& config) {
+OccupancyVoxels mapOfWall(const OccupancyConfig& config) {
   OccupancyBuilder builder(config);
   Points wall;
   for (float y = -2.0f; y <= 2.0f; y += 0.1f)
@@ -23,25 +24,25 @@ OccupancyMap mapOfWall(const OccupancyConfig& config) {
   OccupancyMap map(config);
   map.place(SubmapId{0}, builder.close(), Pose::identity());
   map.compose();
-  return map;
+  return map.voxels();
 }
 
 TEST(OccupancyMessages, CubesStandWhereTheWallIs) {
-  const OccupancyMap map = mapOfWall({});
+  const OccupancyVoxels map = mapOfWall({});
   const auto array = toVoxelMarkers(map, Stamp::fromSeconds(12.5), "map");
   ASSERT_EQ(array.markers.size(), 1u);
   const auto& marker = array.markers[0];
   EXPECT_EQ(marker.header.frame_id, "map");
   EXPECT_EQ(marker.header.stamp, ros::Time(12, 500000000));
   EXPECT_EQ(marker.action, marker.ADD);
-  EXPECT_EQ(marker.scale.x, map.resolution());
+  EXPECT_EQ(marker.scale.x, map.resolution);
   ASSERT_GT(marker.points.size(), 20u);
   EXPECT_EQ(marker.points.size(), marker.colors.size());
   for (const auto& point : marker.points) EXPECT_NEAR(point.x, 5.25, 0.26);
 }
 
 TEST(OccupancyMessages, AnEmptyMapTakesTheCubesAway) {
-  const auto array = toVoxelMarkers(OccupancyMap({}), {}, "map");
+  const auto array = toVoxelMarkers(OccupancyVoxels{0.5, {}}, {}, "map");
   ASSERT_EQ(array.markers.size(), 1u);
   EXPECT_EQ(array.markers[0].action, array.markers[0].DELETE);
 }
@@ -59,7 +60,7 @@ TEST(OccupancyMessages, TheGridKeepsItsLayout) {
 
 #ifdef REVISIT_SLAM_OCTOMAP_MSGS
 TEST(OccupancyMessages, TheOctreeIsReadAsItIsInMemory) {
-  const OccupancyMap map = mapOfWall({});
+  const OccupancyVoxels map = mapOfWall({});
   const octomap_msgs::Octomap message = toOctomap(map, Stamp::fromSeconds(12.5), "map");
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.header.stamp, ros::Time(12, 500000000));
