@@ -13,14 +13,16 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
-/// From the keypose of one submap to that of the next.
+/// From the keypose of one submap to that of the next. Never negative, whatever a saved map says:
+/// the search would not end.
 Drift driftBetween(const Submap& earlier, const Submap& later, const DriftConfig& config) {
   const UnsureDistance &from = earlier.unsure_begin, &to = later.unsure_begin;
   const double everywhere =
       config.rate * (later.travelled_begin - earlier.travelled_begin) + to.doubt - from.doubt;
-  return {
-      everywhere + config.weak_rate * (to.weak - from.weak),
-      config.vertical_share * everywhere + config.weak_rate * (to.weak_height - from.weak_height)};
+  const double plane = everywhere + config.weak_rate * (to.weak - from.weak);
+  const double height =
+      config.vertical_share * everywhere + config.weak_rate * (to.weak_height - from.weak_height);
+  return {std::max(0.0, plane), std::max(0.0, height)};
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ std::vector<Drift> GraphDrift::search(std::size_t begin, std::size_t until) cons
   while (!open.empty()) {
     const auto [plane, height, index] = open.top();
     open.pop();
-    if (plane >= drift[index].plane) continue;
+    if (!(plane < drift[index].plane)) continue;
     drift[index] = {plane, height};
     if (index == until) break;
     for (const Step& step : steps_[index])

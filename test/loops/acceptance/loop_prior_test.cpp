@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "revisit_slam/types/se3.h"
@@ -58,6 +59,14 @@ TEST(GraphDrift, TakesTheShortWayOverLoopsThatTheGraphHasTaken) {
   EXPECT_NEAR(driftBetween(submaps(10), 9, 1, {edge}), 0.3 + 0.3 + 0.01 * 300, 1e-12);
   edge.state = LoopState::rejected;
   EXPECT_NEAR(driftBetween(submaps(10), 9, 1, {edge}), 0.3 + 0.01 * 800, 1e-12);
+}
+
+TEST(GraphDrift, OfAWayThatADamagedMapHasBackwardsIsThatOfNoWay) {
+  for (const double travelled : {-50.0, std::nan("")}) {
+    auto drive = submaps(3);
+    drive[1]->travelled_begin = travelled;
+    EXPECT_NEAR(driftBetween(drive, 0, 1), 0.3, 1e-12);
+  }
 }
 
 TEST(LoopPrior, MeasuresInThePlaneInHeightAndInRotation) {
