@@ -39,8 +39,8 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
                            std::shared_ptr<SubmapLibrary> library)
     : enabled_(loops.enabled),
       drift_(loops.closer.drift),
-      max_pairs_(retroactive.max_pairs),
-      max_partners_(retroactive.max_partners),
+      max_pairs_(static_cast<std::size_t>(retroactive.max_pairs)),
+      max_partners_(static_cast<std::size_t>(retroactive.max_partners)),
       search_at_end_(retroactive.search_at_end),
       recognition_(loops.recognition),
       appearance_closer_(loops.closer, information),
@@ -51,8 +51,8 @@ LoopDetector::LoopDetector(const LoopsConfig& loops, const RetroactiveConfig& re
 
 void LoopDetector::reconfigure(const LoopsConfig& loops, const RetroactiveConfig& retroactive) {
   drift_ = loops.closer.drift;
-  max_pairs_ = retroactive.max_pairs;
-  max_partners_ = retroactive.max_partners;
+  max_pairs_ = static_cast<std::size_t>(retroactive.max_pairs);
+  max_partners_ = static_cast<std::size_t>(retroactive.max_partners);
   recognition_.reconfigure(loops.recognition);
   appearance_closer_.reconfigure(loops.closer);
   retroactive_closer_.reconfigure(closerConfig(loops, retroactive));
@@ -217,22 +217,24 @@ PriorOf LoopDetector::priorsOf(const ScanPoses& T_map_scan) const {
 LoopSearchResult LoopDetector::searchRetroactively(std::optional<LocalMapId> n) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   const LocalMapId last = n.value_or(maps_.back()->id);
-  if (searchWindow(last, tried_, result)) {
+  if (searchWindow(last, max_pairs_, tried_, result)) {
     searched_ = last;
     tried_.clear();
   }
   return result;
 }
 
-LoopSearchResult LoopDetector::searchUnspent(TriedPairs& tried) {
+LoopSearchResult LoopDetector::searchUnspent(TriedPairs& tried, std::size_t batches) {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   believe(result);
-  if (result.proposals.empty() && search_at_end_) searchWindow(maps_.back()->id, tried, result);
+  if (result.proposals.empty() && search_at_end_)
+    searchWindow(maps_.back()->id, batches * max_pairs_, tried, result);
   return result;
 }
 
-/// As many pairs as may be at a time. @return whether these were all.
-bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResult& result) const {
+/// Until there are `most` proposals. @return whether no pairs are left.
+bool LoopDetector::searchWindow(LocalMapId n, std::size_t most, TriedPairs& tried,
+                                LoopSearchResult& result) const {
   StageClock clock;
   const ScanPoses T_map_scan = placeScans();
   std::vector<RetroactiveCandidate> candidates =
@@ -244,7 +246,7 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
-  const std::size_t done = close(candidates, T_map_scan, result);
+  const std::size_t done = close(candidates, most, T_map_scan, result);
   const GraphDrift drift = graphDrift();
   for (std::size_t i = 0; i < done; ++i)
     tried.note(candidates[i].maps, guessOf(candidates[i].maps, T_map_scan, drift));
@@ -258,9 +260,8 @@ bool LoopDetector::searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResul
 bool LoopDetector::areWellTied(const LocalMapPair& maps) const {
   const auto first = partners_.find(maps.first), second = partners_.find(maps.second);
   if (first == partners_.end() || second == partners_.end()) return false;
-  const auto enough = static_cast<std::size_t>(max_partners_);
-  return first->second.size() >= enough && second->second.size() >= enough &&
-         inCommon(first->second, second->second) >= std::min(enough, kCommonPartners);
+  return first->second.size() >= max_partners_ && second->second.size() >= max_partners_ &&
+         inCommon(first->second, second->second) >= std::min(max_partners_, kCommonPartners);
 }
 
 void LoopDetector::forgetChanged(TriedPairs& tried) const {
@@ -286,23 +287,23 @@ LoopSearchResult LoopDetector::searchLowDriftWindow() {
   LoopSearchResult result = newSearch(LoopOrigin::retroactive);
   StageClock clock;
   const ScanPoses T_map_scan = placeScans();
-  close(retroactive_.searchLowDriftWindow(maps_, T_map_scan, maps_.back()->id, closed_), T_map_scan,
-        result);
+  close(retroactive_.searchLowDriftWindow(maps_, T_map_scan, maps_.back()->id, closed_), max_pairs_,
+        T_map_scan, result);
   clock.stage("retroactive");
   result.times = clock.times();
   return result;
 }
 
-/// As many as may be at a time. @return how many were tried.
+/// Until there are `most` proposals. @return how many were tried.
 std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
-                                const ScanPoses& T_map_scan, LoopSearchResult& result) const {
+                                std::size_t most, const ScanPoses& T_map_scan,
+                                LoopSearchResult& result) const {
   const auto placed = [&](LocalMapId id) {
     return placeByGraph(*mapOf(id), T_map_scan, retroactive_closer_.association());
   };
   const PriorOf priors = priorsOf(T_map_scan);
   std::size_t done = 0;
-  for (; done < candidates.size() && static_cast<int>(result.proposals.size()) < max_pairs_;
-       ++done) {
+  for (; done < candidates.size() && result.proposals.size() < most; ++done) {
     const auto& [source, target] = candidates[done].maps;
     const std::vector<LoopProposal> proposals =
         retroactive_closer_.close(placed(source), placed(target), LoopOrigin::retroactive, priors);

@@ -112,18 +112,18 @@ void LoopClosing::searchAfterAnswer() {
 
 void LoopClosing::begin(const MapsClosed& closed) {
   guarded([this] { detector_.forgetChanged(tried_at_the_end_); });
-  searchToTheEnd(closed);
+  searchToTheEnd(closed, 1);
 }
 
-/// As long as there are pairs that have not been tried; the graph moves between. Whatever happens,
-/// `closed` is passed on: others wait for it.
-void LoopClosing::searchToTheEnd(const MapsClosed& closed) {
+/// As long as there are pairs that have not been tried. The graph moves between, less each time, so
+/// each time twice as many are tried. Whatever happens, `closed` is passed on: others wait for it.
+void LoopClosing::searchToTheEnd(const MapsClosed& closed, std::size_t batches) {
   bool is_waiting = false;
   guarded([&] {
     while (detector_.hasClosedLoops() && !is_waiting) {
-      const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_);
+      const LoopSearchResult result = detector_.searchUnspent(tried_at_the_end_, batches);
       if (result.proposals.empty()) return;
-      is_waiting = hand(result, [this, closed] { searchToTheEnd(closed); });
+      is_waiting = hand(result, [this, closed, batches] { searchToTheEnd(closed, 2 * batches); });
     }
   });
   if (!is_waiting) outputs_.closed(closed);

@@ -147,6 +147,43 @@ TEST_F(LoopDetectorTest, aPairThatWasTriedIsTriedAgainOnceTheGraphHasMovedIt) {
   EXPECT_FALSE(detector_.searchUnspent(tried).proposals.empty());
 }
 
+/// Another passage of the same place, later in the session.
+LocalMapPtr again(const LocalMap& map, const LocalMap& last) {
+  auto later = std::make_shared<LocalMap>();
+  later->id = {last.id.value + 1};
+  std::uint32_t submaps = last.submaps.back()->id.value + 1;
+  std::uint32_t scans = last.submaps.back()->lastScan().value + 1;
+  for (const SubmapPtr& submap : map.submaps) {
+    auto moved = std::make_shared<Submap>(*submap);
+    moved->id = {submaps++};
+    moved->local_map = later->id;
+    moved->first_scan = {scans};
+    moved->travelled_begin += last.submaps.back()->travelled_end;
+    moved->travelled_end += last.submaps.back()->travelled_end;
+    scans = moved->lastScan().value + 1;
+    later->submaps.push_back(moved);
+  }
+  return later;
+}
+
+TEST_F(LoopDetectorTest, ALargerBatchTriesAsManyPairsMore) {
+  RetroactiveConfig retroactive;
+  retroactive.max_pairs = 1;
+  LoopDetector detector(loops(), retroactive, {});
+  std::vector<LocalMapPtr> maps = streetRevisit();
+  for (int passage = 0; passage < 2; ++passage) maps.push_back(again(*maps[2], *maps.back()));
+  for (const LocalMapPtr& map : maps) detector.searchByAppearance(map);
+  const auto pairs_of = [](const LoopSearchResult& result) {
+    std::set<LocalMapPair> pairs;
+    for (const LoopProposal& proposal : result.proposals)
+      pairs.insert({proposal.loop.source_map, proposal.loop.target_map});
+    return pairs.size();
+  };
+  TriedPairs few, many;
+  EXPECT_EQ(pairs_of(detector.searchUnspent(few)), 1u);
+  EXPECT_GE(pairs_of(detector.searchUnspent(many, 4)), 2u);
+}
+
 TEST_F(LoopDetectorTest, theWindowIsSpentByASearchAfterAClosure) {
   EXPECT_FALSE(detector_.searchRetroactively().proposals.empty());
   EXPECT_TRUE(detector_.searchRetroactively().proposals.empty());

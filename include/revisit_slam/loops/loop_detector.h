@@ -53,8 +53,9 @@ class LoopDetector {
 
   /// Pairs of maps since the last search by searchRetroactively(), without counting them as
   /// searched: a closure that comes later searches them with better poses. Each call takes the next
-  /// pairs that were not `tried`, until there are none. First come loops that join sessions.
-  LoopSearchResult searchUnspent(TriedPairs& tried);
+  /// pairs that were not `tried`, `batches` times as many as another search may, until there are
+  /// none. First come loops that join sessions.
+  LoopSearchResult searchUnspent(TriedPairs& tried, std::size_t batches = 1);
   /// Pairs that were tried, and of which the graph says something else by now.
   void forgetChanged(TriedPairs& tried) const;
 
@@ -87,13 +88,14 @@ class LoopDetector {
   std::vector<LoopProposal> closeByAppearance(const LocalMap& source,
                                               const PlaceMatch& match) const;
   LoopSearchResult newSearch(LoopOrigin origin) const;
-  bool searchWindow(LocalMapId n, TriedPairs& tried, LoopSearchResult& result) const;
-  std::size_t close(const std::vector<RetroactiveCandidate>& candidates,
+  bool searchWindow(LocalMapId n, std::size_t most, TriedPairs& tried,
+                    LoopSearchResult& result) const;
+  std::size_t close(const std::vector<RetroactiveCandidate>& candidates, std::size_t most,
                     const ScanPoses& T_map_scan, LoopSearchResult& result) const;
 
   bool enabled_;
   DriftConfig drift_;
-  int max_pairs_, max_partners_;
+  std::size_t max_pairs_, max_partners_;
   bool search_at_end_;
   PlaceRecognition recognition_;
   LoopCloser appearance_closer_, retroactive_closer_;

@@ -74,7 +74,7 @@ class LoopClosing {
   void begin(const Across& across);
   void begin(const MapsClosed& closed);
   void searchAfterAnswer();
-  void searchToTheEnd(const MapsClosed& closed);
+  void searchToTheEnd(const MapsClosed& closed, std::size_t batches);
   bool hand(const LoopSearchResult& result, std::function<void()> then);
 
   bool with_measurements_;  // of GNSS or gravity: the graph may change without loops, and answers
