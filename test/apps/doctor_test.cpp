@@ -45,6 +45,21 @@ TEST_F(Doctor, SaysWhatToDoAboutEachFault) {
          {"live/folder is '/proc/maps', where nothing can be written", "-> choose another"});
 }
 
+TEST_F(Doctor, LooksAtEachOfSeveralSensors) {
+  const std::string other = folder_.file("other.bag");
+  writeScanBag(other, toClouds(driveInRoom(7)), "/rear");
+  const std::vector<std::string> bags{"--bag", folder_.file("drive.bag"), "--bag", other};
+  const auto with = [&](const std::string& topics) {
+    std::vector<std::string> words = bags;
+    words.insert(words.end(), {"--set", "input/topics=" + topics});
+    return words;
+  };
+  expect(with("/lidar /rear"), 0,
+         {"/lidar, 12 messages", "/rear, 7 messages", "7 looked at, all can be used",
+          "--set input/topics=\"/lidar /rear\" --base-frame none"});
+  expect(with("/lidar /front"), 1, {"/lidar, 12 messages", "the bag has no topic '/front'"});
+}
+
 TEST_F(Doctor, WithoutAMasterSaysHowToGetOne) {
   expect({"live", "--seconds", "0"}, 1, {"none answers at", "roscore"});
 }

@@ -33,11 +33,29 @@ void examine(BagScans& scans, const Patient& patient, Diagnosis& diagnosis) {
   for (const Finding& finding : examination.findings()) diagnosis.findings.push_back(finding);
 }
 
-std::string commandFor(const Patient& patient, const BagScans& scans, bool with_base) {
+std::string commandFor(const Patient& patient, const std::vector<std::string>& topics,
+                       bool with_base) {
   std::string command = "rosrun revisit_slam offline";
   for (const std::string& bag : patient.bags) command += " --bag " + bag;
-  return command + " --points " + scans.topic() + (with_base ? "" : " --base-frame none") +
-         " --out result";
+  command += topics.size() == 1 ? " --points " + topics.front()
+                                : " --set input/topics=\"" + betweenSpaces(topics) + "\"";
+  return command + (with_base ? "" : " --base-frame none") + " --out result";
+}
+
+/// One sensor. @return whether TF has its place on the robot.
+bool check(BagScans& scans, const Patient& patient, Diagnosis& diagnosis) {
+  diagnosis.findings.push_back(aboutTopic(scans));
+  if (scans.size() == 0) return false;
+  if (patient.max_scans > 0) examine(scans, patient, diagnosis);
+  const std::string base = patient.config.frames.base, sensor = scans.sensorFrame();
+  const bool is_known = scans.findExtrinsics(base, sensor).has_value();
+  Finding transform = aboutTransform(base, sensor, is_known, scans.framesAround(sensor));
+  if (!scans.hasTransforms() && !base.empty())
+    transform = {Level::hint, "transform", "the bag has no transforms",
+                 "offline estimates the poses of the sensor itself; for launch files add "
+                 "base_frame:=none"};
+  diagnosis.findings.push_back(transform);
+  return is_known;
 }
 
 }  // namespace
@@ -45,19 +63,14 @@ std::string commandFor(const Patient& patient, const BagScans& scans, bool with_
 Diagnosis checkBags(const Patient& patient) {
   Diagnosis diagnosis;
   try {
-    BagScans scans(patient.bags, patient.points);
-    diagnosis.findings.push_back(aboutTopic(scans));
-    if (scans.size() == 0) return diagnosis;
-    if (patient.max_scans > 0) examine(scans, patient, diagnosis);
-    const std::string base = patient.config.frames.base, sensor = scans.sensorFrame();
-    const bool is_known = scans.findExtrinsics(base, sensor).has_value();
-    Finding transform = aboutTransform(base, sensor, is_known, scans.framesAround(sensor));
-    if (!scans.hasTransforms() && !base.empty())
-      transform = {Level::hint, "transform", "the bag has no transforms",
-                   "offline estimates the poses of the sensor itself; for launch files add "
-                   "base_frame:=none"};
-    diagnosis.findings.push_back(transform);
-    diagnosis.command = commandFor(patient, scans, is_known);
+    std::vector<std::string> topics;
+    bool with_base = true;
+    for (const std::string& topic : topicsOf(patient)) {
+      BagScans scans(patient.bags, topic);
+      topics.push_back(scans.topic());
+      with_base &= check(scans, patient, diagnosis);
+    }
+    diagnosis.command = commandFor(patient, topics, with_base);
   } catch (const BagError& error) {
     diagnosis.findings.push_back(faultOf("bag", error.what()));
   } catch (const rosbag::BagException& error) {

@@ -12,7 +12,7 @@ namespace revisit_slam {
 /// What the doctor is asked to look at.
 struct Patient {
   std::vector<std::string> bags;  ///< none: what is live
-  std::string points;             ///< topic; empty: the only one with scans
+  std::string points;             ///< topic; empty: those of input/topics, or the only one
   std::string folder;             ///< where maps are to be written; empty: none
   std::string manager;            ///< nodelet manager that has to run; empty: any
   double seconds = 5.0;           ///< to listen
@@ -25,6 +25,11 @@ struct Diagnosis {
   std::vector<Finding> findings;
   std::string command;
 };
+
+/// Of the scans of each sensor; empty: the only one.
+std::vector<std::string> topicsOf(const Patient& patient);
+
+std::string betweenSpaces(const std::vector<std::string>& words);
 
 Diagnosis checkBags(const Patient& patient);
 /// Needs ros::init().

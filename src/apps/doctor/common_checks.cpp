@@ -5,10 +5,23 @@
 #include "checks.h"
 #include "revisit_slam/ros/messages/connected_frames.h"
 #include "revisit_slam/slam/session_targets.h"
+#include "revisit_slam/util/number_list.h"
 
 namespace revisit_slam {
 
 using Level = Finding::Level;
+
+std::vector<std::string> topicsOf(const Patient& patient) {
+  const std::vector<std::string> several = wordsOf(patient.config.input.topics);
+  if (!patient.points.empty() || several.empty()) return {patient.points};
+  return several;
+}
+
+std::string betweenSpaces(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
 
 Finding aboutTransform(const std::string& base_frame, const std::string& sensor_frame,
                        bool is_known, const std::vector<std::string>& connected) {

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <regex>
+#include <utility>
 
 #include "checks.h"
 #include "revisit_slam/ros/input/scan_examination.h"
@@ -88,6 +90,59 @@ std::string chooseTopic(const std::string& wanted, Diagnosis& diagnosis) {
   return "";
 }
 
+/// What is heard of one sensor.
+struct Heard {
+  Heard(std::string topic, const SlamConfig& config)
+      : topic(std::move(topic)), examination(config) {}
+
+  std::string topic;
+  ScanExamination examination;
+  ros::Subscriber subscriber;
+};
+
+std::vector<std::unique_ptr<Heard>> subscribe(ros::NodeHandle& node, const Patient& patient,
+                                              Diagnosis& diagnosis) {
+  std::vector<std::unique_ptr<Heard>> sensors;
+  for (const std::string& wanted : topicsOf(patient)) {
+    const std::string topic =
+        chooseTopic(wanted.empty() ? wanted : node.resolveName(wanted), diagnosis);
+    if (topic.empty()) continue;
+    sensors.push_back(std::make_unique<Heard>(topic, patient.config));
+    sensors.back()->subscriber = node.subscribe<topic_tools::ShapeShifter>(
+        topic, 0,
+        [heard = sensors.back().get()](const topic_tools::ShapeShifter::ConstPtr& message) {
+          heard->examination.add(rawMessageOf(*message));
+        });
+  }
+  return sensors;
+}
+
+/// One sensor. @return whether TF has its place on the robot.
+bool check(Heard& heard, const std::string& base, const tf2_ros::Buffer& buffer,
+           std::vector<Finding>& findings) {
+  if (heard.examination.messages() == 0) {
+    findings.push_back(
+        {Level::fault, "topic", describeSilence({heard.topic}, publishedTopics()), ""});
+    return false;
+  }
+  findings.push_back({Level::good, "topic", heard.topic, ""});
+  for (const Finding& finding : heard.examination.findings()) findings.push_back(finding);
+  const std::string sensor = heard.examination.frame();
+  const std::vector<std::string> connected = framesConnectedWith(sensor, buffer);
+  const bool is_known = std::count(connected.begin(), connected.end(), base) > 0;
+  findings.push_back(aboutTransform(base, sensor, is_known, connected));
+  return is_known;
+}
+
+std::string argumentFor(const std::vector<std::unique_ptr<Heard>>& sensors) {
+  std::vector<std::string> topics;
+  for (const auto& heard : sensors) topics.push_back(heard->topic);
+  if (topics.size() > 1) return "topics:=\"" + betweenSpaces(topics) + "\"";
+  for (const TypedTopic& published : publishedTopics())
+    if (published.name == topics.front()) return argumentFor(published);
+  return "points:=" + topics.front();
+}
+
 void listen(double seconds) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
   while (ros::ok() && ros::WallTime::now() < end)
@@ -129,33 +184,18 @@ Diagnosis checkLive(const Patient& patient) {
   tf2_ros::Buffer buffer;
   const tf2_ros::TransformListener listener(buffer, node, false);
   const Nodes nodes(node);
-  ScanExamination examination(patient.config);
-  const std::string topic = chooseTopic(patient.points, diagnosis);
-  ros::Subscriber subscriber;
-  if (!topic.empty())
-    subscriber = node.subscribe<topic_tools::ShapeShifter>(
-        topic, 0, [&](const topic_tools::ShapeShifter::ConstPtr& message) {
-          examination.add(rawMessageOf(*message));
-        });
+  const std::vector<std::unique_ptr<Heard>> sensors = subscribe(node, patient, diagnosis);
   listen(patient.seconds);
   std::vector<Finding>& findings = diagnosis.findings;
   findings.insert(findings.begin(), aboutClock());
   if (!patient.manager.empty()) findings.push_back(checkManager(patient.manager));
-  if (!topic.empty() && examination.messages() == 0)
-    findings.push_back({Level::fault, "topic", describeSilence({topic}, publishedTopics()), ""});
-  if (examination.messages() > 0) {
-    findings.push_back({Level::good, "topic", topic, ""});
-    for (const Finding& finding : examination.findings()) findings.push_back(finding);
-    const std::string base = patient.config.frames.base, sensor = examination.frame();
-    const std::vector<std::string> connected = framesConnectedWith(sensor, buffer);
-    const bool is_known = std::count(connected.begin(), connected.end(), base) > 0;
-    findings.push_back(aboutTransform(base, sensor, is_known, connected));
-    std::string argument;
-    for (const TypedTopic& published : publishedTopics())
-      if (published.name == topic) argument = argumentFor(published);
-    diagnosis.command = "roslaunch revisit_slam slam.launch " + argument +
-                        (is_known ? " base_frame:=" + base : " base_frame:=none") + " folder:=maps";
-  }
+  bool with_base = true;
+  for (const auto& heard : sensors)
+    with_base &= check(*heard, patient.config.frames.base, buffer, findings);
+  if (!sensors.empty())
+    diagnosis.command = "roslaunch revisit_slam slam.launch " + argumentFor(sensors) +
+                        " base_frame:=" + (with_base ? patient.config.frames.base : "none") +
+                        " folder:=maps";
   for (const Finding& finding : nodes.findings()) findings.push_back(finding);
   return diagnosis;
 }
