@@ -30,7 +30,6 @@ from sensor_msgs.msg import PointCloud2
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
-SCANS_IN_A_BLOCK = 100
 SCANS_IN_AN_HOUR = 36000
 PHASES = ("sessions", "laps", "rest")  # of the life of a process, which ends with a kill
 SCANS_OF_RECOVERY = 20  # in two seconds
@@ -216,7 +215,7 @@ class Soak:
             time.sleep(1.0 / self.arguments.rate)
 
     def send_block(self) -> None:
-        for _ in range(SCANS_IN_A_BLOCK):
+        for _ in range(self.arguments.block):
             self.send(self.drive.skip())
 
     def settle(self) -> None:
@@ -322,7 +321,7 @@ class Soak:
 
     def kill_on_the_way(self) -> None:
         self.drive.is_at_rest = False
-        for _ in range(self.random.randint(1, 5 * SCANS_IN_A_BLOCK)):
+        for _ in range(self.random.randint(1, 5 * self.arguments.block)):
             self.send(self.drive.skip())
         self.kill()
 
@@ -438,6 +437,7 @@ def main() -> None:
     add("--minutes", type=float, help="likewise")
     add("--life", type=float, help="of a process, in hours; a kill ends it (default: half of all)")
     add("--rate", type=float, default=40.0, help="scans a second")
+    add("--block", type=int, default=100, help="scans between two events")
     add("--seed", type=int, default=1, help="of what happens")
     arguments = parser.parse_args()
     if arguments.minutes is not None:
