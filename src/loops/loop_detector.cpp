@@ -20,6 +20,12 @@ std::size_t inCommon(const std::set<LocalMapId>& a, const std::set<LocalMapId>& 
       std::count_if(a.begin(), a.end(), [&](LocalMapId map) { return b.count(map) > 0; }));
 }
 
+void tie(const LocalMapPair& maps, std::map<LocalMapId, std::set<LocalMapId>>& partners) {
+  if (maps.first == maps.second) return;
+  partners[maps.first].insert(maps.second);
+  partners[maps.second].insert(maps.first);
+}
+
 RetroactiveConfig searchConfig(const LoopsConfig& loops, RetroactiveConfig retroactive) {
   retroactive.enabled = retroactive.enabled && loops.enabled;
   return retroactive;
@@ -242,24 +248,23 @@ bool LoopDetector::searchWindow(LocalMapId n, std::size_t most, TriedPairs& trie
   const auto is_left_out = [&](const RetroactiveCandidate& candidate) {
     const auto& [source, target] = candidate.maps;
     return tried.has(candidate.maps) || !groups_.areTied(source.session, target.session) ||
-           areWellTied(candidate.maps);
+           areWellTied(candidate.maps, partners_);
   };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_left_out),
                    candidates.end());
-  const std::size_t done = close(candidates, most, T_map_scan, result);
+  const std::vector<LocalMapPair> done = close(candidates, most, T_map_scan, result);
   const GraphDrift drift = graphDrift();
-  for (std::size_t i = 0; i < done; ++i)
-    tried.note(candidates[i].maps, guessOf(candidates[i].maps, T_map_scan, drift));
+  for (const LocalMapPair& maps : done) tried.note(maps, guessOf(maps, T_map_scan, drift));
   clock.stage("retroactive");
   result.times = clock.times();
-  return done == candidates.size();
+  return done.size() == candidates.size();
 }
 
 /// Both, by loops with others, and so with each other: one more tells hardly anything. Over laps of
 /// one place the pairs would grow with the square of the laps.
-bool LoopDetector::areWellTied(const LocalMapPair& maps) const {
-  const auto first = partners_.find(maps.first), second = partners_.find(maps.second);
-  if (first == partners_.end() || second == partners_.end()) return false;
+bool LoopDetector::areWellTied(const LocalMapPair& maps, const Partners& partners) const {
+  const auto first = partners.find(maps.first), second = partners.find(maps.second);
+  if (first == partners.end() || second == partners.end()) return false;
   return first->second.size() >= max_partners_ && second->second.size() >= max_partners_ &&
          inCommon(first->second, second->second) >= std::min(max_partners_, kCommonPartners);
 }
@@ -294,22 +299,29 @@ LoopSearchResult LoopDetector::searchLowDriftWindow() {
   return result;
 }
 
-/// Until there are `most` proposals. @return how many were tried.
-std::size_t LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
-                                std::size_t most, const ScanPoses& T_map_scan,
-                                LoopSearchResult& result) const {
+/// Until there are `most` proposals. What these would tie well is left until the graph has taken
+/// them. @return the pairs that were tried.
+std::vector<LocalMapPair> LoopDetector::close(const std::vector<RetroactiveCandidate>& candidates,
+                                              std::size_t most, const ScanPoses& T_map_scan,
+                                              LoopSearchResult& result) const {
   const auto placed = [&](LocalMapId id) {
     return placeByGraph(*mapOf(id), T_map_scan, retroactive_closer_.association());
   };
   const PriorOf priors = priorsOf(T_map_scan);
-  std::size_t done = 0;
-  for (; done < candidates.size() && result.proposals.size() < most; ++done) {
-    const auto& [source, target] = candidates[done].maps;
-    const std::vector<LoopProposal> proposals =
-        retroactive_closer_.close(placed(source), placed(target), LoopOrigin::retroactive, priors);
-    result.proposals.insert(result.proposals.end(), proposals.begin(), proposals.end());
+  std::vector<LocalMapPair> tried;
+  Partners partners = partners_;
+  for (const RetroactiveCandidate& candidate : candidates) {
+    if (result.proposals.size() >= most) break;
+    if (areWellTied(candidate.maps, partners)) continue;
+    const auto& [source, target] = candidate.maps;
+    tried.push_back(candidate.maps);
+    for (LoopProposal& proposal : retroactive_closer_.close(placed(source), placed(target),
+                                                            LoopOrigin::retroactive, priors)) {
+      if (proposal.verdict.isAccepted()) tie(candidate.maps, partners);
+      result.proposals.push_back(std::move(proposal));
+    }
   }
-  return done;
+  return tried;
 }
 
 /// A pair whose loops the graph has rejected is not closed: a search may find the right one.
@@ -321,11 +333,7 @@ void LoopDetector::correct(const MapCorrectionPtr& correction) {
     if (edge.state != LoopState::rejected)
       closed_.insert({edge.loop.source_map, edge.loop.target_map});
   partners_.clear();
-  for (const auto& [source, target] : closed_) {
-    if (source == target) continue;
-    partners_[source].insert(target);
-    partners_[target].insert(source);
-  }
+  for (const LocalMapPair& maps : closed_) tie(maps, partners_);
   const SessionGroups groups(correction->loops);
   if (!is_first) searchAgainWhatWasJoined(groups);
   groups_ = groups;

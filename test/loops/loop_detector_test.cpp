@@ -166,22 +166,31 @@ LocalMapPtr again(const LocalMap& map, const LocalMap& last) {
   return later;
 }
 
-TEST_F(LoopDetectorTest, ALargerBatchTriesAsManyPairsMore) {
+/// Pairs of maps that one search compares among three passages of a place.
+std::size_t comparedInABatch(int max_pairs, std::size_t batches, int max_partners) {
+  LoopsConfig loops;
+  loops.recognition.min_inliers = 10000;
   RetroactiveConfig retroactive;
-  retroactive.max_pairs = 1;
-  LoopDetector detector(loops(), retroactive, {});
+  retroactive.max_pairs = max_pairs;
+  retroactive.max_partners = max_partners;
+  LoopDetector detector(loops, retroactive, {});
   std::vector<LocalMapPtr> maps = streetRevisit();
   for (int passage = 0; passage < 2; ++passage) maps.push_back(again(*maps[2], *maps.back()));
   for (const LocalMapPtr& map : maps) detector.searchByAppearance(map);
-  const auto pairs_of = [](const LoopSearchResult& result) {
-    std::set<LocalMapPair> pairs;
-    for (const LoopProposal& proposal : result.proposals)
-      pairs.insert({proposal.loop.source_map, proposal.loop.target_map});
-    return pairs.size();
-  };
-  TriedPairs few, many;
-  EXPECT_EQ(pairs_of(detector.searchUnspent(few)), 1u);
-  EXPECT_GE(pairs_of(detector.searchUnspent(many, 4)), 2u);
+  TriedPairs tried;
+  std::set<LocalMapPair> pairs;
+  for (const LoopProposal& proposal : detector.searchUnspent(tried, batches).proposals)
+    pairs.insert({proposal.loop.source_map, proposal.loop.target_map});
+  return pairs.size();
+}
+
+TEST(LoopDetector, ALargerBatchTriesMorePairs) {
+  EXPECT_EQ(comparedInABatch(1, 1, 10), 1u);
+  EXPECT_GE(comparedInABatch(1, 4, 10), 2u);
+}
+
+TEST(LoopDetector, WhatABatchItselfTiesWellIsLeft) {
+  EXPECT_LT(comparedInABatch(1000, 1, 1), comparedInABatch(1000, 1, 10));
 }
 
 TEST_F(LoopDetectorTest, theWindowIsSpentByASearchAfterAClosure) {

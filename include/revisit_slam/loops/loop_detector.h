@@ -79,7 +79,9 @@ class LoopDetector {
   ScanPoses placeScans() const;
   PairGuess guessOf(const LocalMapPair& maps, const ScanPoses& T_map_scan,
                     const GraphDrift& drift) const;
-  bool areWellTied(const LocalMapPair& maps) const;
+  using Partners = std::map<LocalMapId, std::set<LocalMapId>>;
+
+  bool areWellTied(const LocalMapPair& maps, const Partners& partners) const;
   GraphDrift graphDrift() const;
   PriorOf priorsOf(const ScanPoses& T_map_scan) const;
   void closeMatches(const LocalMap& source, LoopSearchResult& result);
@@ -90,8 +92,9 @@ class LoopDetector {
   LoopSearchResult newSearch(LoopOrigin origin) const;
   bool searchWindow(LocalMapId n, std::size_t most, TriedPairs& tried,
                     LoopSearchResult& result) const;
-  std::size_t close(const std::vector<RetroactiveCandidate>& candidates, std::size_t most,
-                    const ScanPoses& T_map_scan, LoopSearchResult& result) const;
+  std::vector<LocalMapPair> close(const std::vector<RetroactiveCandidate>& candidates,
+                                  std::size_t most, const ScanPoses& T_map_scan,
+                                  LoopSearchResult& result) const;
 
   bool enabled_;
   DriftConfig drift_;
@@ -110,9 +113,9 @@ class LoopDetector {
   SessionGroups groups_;                   // as the graph ties the sessions
   MapCorrectionPtr correction_;            // the newest; null: none yet
   std::set<LocalMapPair> closed_;          // by the graph
-  std::map<LocalMapId, std::set<LocalMapId>> partners_;  // in closed_, other maps than itself
-  TriedPairs tried_;                    // after the window was last searched to its end
-  std::optional<LocalMapId> searched_;  // p: up to it all maps were searched retroactively
+  Partners partners_;                      // in closed_, other maps than itself
+  TriedPairs tried_;                       // after the window was last searched to its end
+  std::optional<LocalMapId> searched_;     // p: up to it all maps were searched retroactively
 };
 
 }  // namespace revisit_slam
