@@ -82,9 +82,19 @@ void OccupancyBuilder::drive(const Pose& T_submap_from, const Pose& T_submap_to,
   }
 }
 
+/// With the voxels beside it of which some point is so near that a map that is turned may have it
+/// in the voxel of the way.
 void OccupancyBuilder::markDriven(const Eigen::Vector3d& p_submap) {
-  const Voxel voxel = voxelOf<double>(p_submap / config_.resolution);
-  table_.at(blockOf(voxel)).driven.set(bitOf(voxel));
+  constexpr double half_diagonal = 0.71;
+  const Eigen::Vector3d p = p_submap / config_.resolution;
+  const Voxel home = voxelOf<double>(p);
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y) {
+      const Voxel voxel = home + Voxel(x, y, 0);
+      const Eigen::Array2d from_centre = (voxel.cast<double>() - p).head<2>().array() + 0.5;
+      if ((from_centre.abs() - 0.5).max(0.0).matrix().norm() <= half_diagonal)
+        table_.at(blockOf(voxel)).driven.set(bitOf(voxel));
+    }
 }
 
 SubmapOccupancyPtr OccupancyBuilder::close() {

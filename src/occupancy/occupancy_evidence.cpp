@@ -23,7 +23,7 @@ OccupancyBlock decide(const Voxel& block, const BlockEvidence& evidence,
                       const OccupancyConfig& config) {
   const double hit = logOdds(config.hit), miss = logOdds(config.miss);
   const double occupied = logOdds(config.occupied);
-  OccupancyBlock result{block, {}, {}};
+  OccupancyBlock result{block, {}, {}, evidence.driven};
   for (int bit = 0; bit < kBlockVoxels; ++bit) {
     const std::uint32_t hits = evidence.hits[bit], misses = evidence.misses[bit];
     const bool driven = evidence.driven.test(bit);

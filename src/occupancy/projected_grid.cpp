@@ -25,6 +25,13 @@ struct Band {
   }
 };
 
+/// The robot was above the ground of the column, and has gone under whatever is higher there.
+bool wasDriven(const BlockStack& stack, int c, const Band& robot) {
+  return std::any_of(stack.begin, stack.end, [&](const OccupancyBlock& block) {
+    return (BlockStack::column(block.driven, c) & robot.bits(block.block.z())) != 0;
+  });
+}
+
 std::int8_t stateOf(const BlockStack& stack, int c, const Band& band) {
   std::int8_t state = ProjectedGrid::kUnknown;
   for (auto block = stack.begin; block != stack.end; ++block) {
@@ -66,6 +73,7 @@ ProjectedGrid projectedGrid(const OccupancyVoxels& map, const ProjectedGridConfi
   };
   const Band band{voxels(config.lowest),
                   std::max(voxels(config.highest), voxels(config.lowest) + 1)};
+  const Band robot{0, band.end};
   const GroundHeights ground(stacks);
   for (const BlockStack& stack : stacks) {
     if (!ground.known(stack)) continue;
@@ -73,7 +81,9 @@ ProjectedGrid projectedGrid(const OccupancyVoxels& map, const ProjectedGridConfi
       const Eigen::Vector2i cell = kBlockEdge * (stack.place - first) + BlockStack::inBlock(c);
       grid.cells[static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(grid.width) +
                  static_cast<std::size_t>(cell.x())] =
-          stateOf(stack, c, band.above(ground.below(stack, c)));
+          wasDriven(stack, c, robot.above(ground.below(stack, c)))
+              ? ProjectedGrid::kFree
+              : stateOf(stack, c, band.above(ground.below(stack, c)));
     }
   }
   return grid;

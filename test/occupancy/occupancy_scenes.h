@@ -51,7 +51,8 @@ inline OccupancyVoxels mapOf(const SubmapOccupancyPtr& submap, const Pose& T_map
 inline bool same(const std::vector<OccupancyBlock>& a, const std::vector<OccupancyBlock>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const OccupancyBlock& x, const OccupancyBlock& y) {
-                      return x.block == y.block && x.occupied == y.occupied && x.free == y.free;
+                      return x.block == y.block && x.occupied == y.occupied && x.free == y.free &&
+                             x.driven == y.driven;
                     });
 }
 

@@ -105,6 +105,23 @@ TEST(ProjectedGrid, ARoofIsNotTheGround) {
   EXPECT_EQ(occupiedCells(grid), 1u);
 }
 
+/// What is above the robot does not keep it from where it drove; on another level it is no matter.
+TEST(ProjectedGrid, WhereTheRobotDroveNothingIs) {
+  std::vector<VoxelCounts> voxels = groundOf([](int, int) { return 0.5; });
+  for (const int x : {-10, 0, 10}) put(voxels, x, 0, 0, 3, 4);  // dust, or a table
+  OccupancyVoxels map = mapOf(submapOf(voxels));
+  const auto drive = [&](const Voxel& voxel) {
+    for (OccupancyBlock& block : map.blocks)
+      if (block.block == blockOf(voxel)) block.driven.set(bitOf(voxel));
+  };
+  drive({0, 0, 1});
+  drive({10, 0, 7});
+  const ProjectedGrid grid = projectedGrid(map, ProjectedGridConfig{});
+  EXPECT_EQ(stateAt(grid, -4.8, 0.2), ProjectedGrid::kOccupied);
+  EXPECT_EQ(stateAt(grid, 0.2, 0.2), ProjectedGrid::kFree);
+  EXPECT_EQ(stateAt(grid, 5.2, 0.2), ProjectedGrid::kOccupied);
+}
+
 TEST(ProjectedGrid, OfNothingIsEmpty) {
   EXPECT_TRUE(projectedGrid(OccupancyVoxels{}, {}).cells.empty());
 }

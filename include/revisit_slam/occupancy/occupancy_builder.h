@@ -37,7 +37,8 @@ class OccupancyBuilder {
               const Eigen::Vector3d& sensor_base, const std::vector<PointsView>& views = {});
 
   /// The robot has moved: between its base and its sensor, and on the way from one pose to the
-  /// other, nothing is in the way. The ground below the base stays.
+  /// other, nothing is in the way, nor within 0.7 voxels beside it. The ground below the base
+  /// stays.
   void drive(const Pose& T_submap_from, const Pose& T_submap_to,
              const Eigen::Vector3d& sensor_base);
 

@@ -14,6 +14,7 @@ struct OccupancyBlock {
   Voxel block;
   VoxelMask occupied;
   VoxelMask free;
+  VoxelMask driven = {};  ///< the robot was there; these are free
 
   bool isKnown() const { return occupied.any() || free.any(); }
 };

@@ -24,7 +24,8 @@ struct ProjectedGrid {
 
 /// Heights are counted from the top of the ground's voxel (GroundHeights), not from the map's zero.
 /// A column with an occupied voxel in the band is occupied, else one with a free voxel there is
-/// free. Where levels lie above each other the lowest is shown.
+/// free, and so is one in which the robot drove, whatever was seen above it: dust, or a table that
+/// it went under. Where levels lie above each other the lowest is shown.
 /// @throws std::length_error where there would be more than `most_cells`, of one byte each.
 ProjectedGrid projectedGrid(const OccupancyVoxels& map, const ProjectedGridConfig& config,
                             double most_cells = 1e9);
