@@ -9,6 +9,7 @@
 
 #include "revisit_slam/odometry/deskew_correction.h"
 #include "revisit_slam/odometry/recovery_guesses.h"
+#include "revisit_slam/odometry/seen_through.h"
 #include "revisit_slam/priors/motion_reading.h"
 
 namespace revisit_slam {
@@ -176,6 +177,7 @@ OdometryResult Odometry::align(const Scan& scan) {
   registered.verdict = verdictOn(registered);
   if (fit_.hasJumped(registered.jump))  // prediction or pose is as wrong as they differ
     registered.prior_information = (*predicted.covariance + jumped * jumped.transpose()).inverse();
+  if (isContradicted(registered)) registered.verdict = PoseVerdict::lost;
   if (registered.verdict == PoseVerdict::lost) loseTrack(predicted, registered);
   registered.T_odom_base = registered.registration.T_odom_base;
   const bool begins_map = scans_ == 0 || registered.verdict == PoseVerdict::lost;
@@ -198,14 +200,17 @@ OdometryResult Odometry::align(const Scan& scan) {
               fitOf(registered.registration),
               registered.registration.sees_motion,
               registered.verdict,
-              medianRange(registered.source_base, registered.sensor_base)};
+              medianRange(registered.source_base, registered.sensor_base),
+              std::nullopt};
+  if (registered.views.empty())
+    aligned_->seen = SeenPoints{registered.source_base, registered.sensor_base};
   clock.stage("register");
   result.times = clock.times();
   return result;
 }
 
 void Odometry::commit() {
-  const Aligned aligned = aligned_.value();
+  Aligned aligned = std::move(aligned_.value());
   aligned_.reset();
   if (aligned.verdict == PoseVerdict::lost) {
     map_ = emptyMap(scale_.voxelSize());
@@ -223,6 +228,7 @@ void Odometry::commit() {
   followScale(aligned);
   predictor_->observe(aligned.stamp, aligned.T_odom_base, aligned.information);
   T_odom_previous_ = aligned.T_odom_base;
+  previous_seen_ = std::move(aligned.seen);
   previous_stamp_ = aligned.stamp;
   fit_.observe(aligned.fit, aligned.verdict);
   ++scans_;
@@ -318,6 +324,21 @@ void Odometry::recover(const PredictedMotion& predicted, const RingSpacing& ring
         registration_.align(registered.source_base, {}, map_, predictionOf(best.T_odom_base),
                             threshold_.sigma(), rings);
   vain_recoveries_ = fits() ? 0 : vain_recoveries_ + 1;
+}
+
+/// Only poor scans are looked at: the fit alone tells less, and where traffic has left planes in
+/// the map right scans look through many.
+bool Odometry::isContradicted(const RegisteredScan& registered) const {
+  if (registered.verdict != PoseVerdict::poor || !previous_seen_ || !registered.views.empty())
+    return false;
+  const auto through = [&](const Points& source_base, const Eigen::Vector3d& sensor_base,
+                           const Pose& T_odom_base) {
+    return shareSeenThrough(source_base, sensor_base, T_odom_base, map_);
+  };
+  const SeenPoints& before = *previous_seen_;
+  return fit_.isContradicted(
+      through(registered.source_base, registered.sensor_base, registered.registration.T_odom_base),
+      through(before.source_base, before.sensor_base, T_odom_previous_));
 }
 
 /// The pose is the prediction. Within the reach of the sensor it would have been found.

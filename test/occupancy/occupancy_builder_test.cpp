@@ -122,16 +122,18 @@ TEST(OccupancyBuilder, TheWayIsFreeInAMapThatIsTurned) {
   for (const double angle : {0.0, 0.3, 0.6}) {
     OccupancyBuilder builder({});
     Points dust;
-    for (float x = -0.4f; x < 12.0f; x += 0.1f)
-      for (float y = -1.0f; y < 1.0f; y += 0.1f) dust.push_back({x, y, 1.2f});
+    for (int x = -4; x < 120; ++x)
+      for (int y = -10; y < 10; ++y)
+        dust.emplace_back(0.1f * static_cast<float>(x), 0.1f * static_cast<float>(y), 1.2f);
     builder.insert(dust, {}, sensor);
     for (int i = 1; i <= 10; ++i) builder.drive(ahead(1.0 * (i - 1)), ahead(1.0 * i), sensor);
     const Pose T_map_submap{expSO3({0, 0, angle}), {0.1, 0.2, 0.0}};
     const OccupancyVoxels map = mapOf(builder.close(), T_map_submap);
-    for (double x = 0.0; x < 10.0; x += 0.01) {
-      const Voxel on_way = voxelOf<double>(T_map_submap * Eigen::Vector3d(x, 0.0, 1.2) / 0.5);
+    for (int cm = 0; cm < 1000; ++cm) {
+      const Voxel on_way =
+          voxelOf<double>(T_map_submap * Eigen::Vector3d(0.01 * cm, 0.0, 1.2) / 0.5);
       for (const OccupancyBlock& block : map.blocks)
-        EXPECT_TRUE(block.block != blockOf(on_way) || block.free.test(bitOf(on_way))) << x;
+        EXPECT_TRUE(block.block != blockOf(on_way) || block.free.test(bitOf(on_way))) << cm;
     }
   }
 }

@@ -43,6 +43,17 @@ TEST(FitJudge, aPoseFarFromThePredictionIsPoorHoweverItFits) {
   EXPECT_EQ(settledJudge(0.06, any).judge(fit(0.9), kPoints, 1e6), PoseVerdict::good);
 }
 
+TEST(FitJudge, whatSeesThroughMuchMoreOfTheMapThanTheScanBeforeIsContradicted) {
+  const FitJudge judge = settledJudge();
+  EXPECT_TRUE(judge.isContradicted(0.14, 0.02));
+  EXPECT_FALSE(judge.isContradicted(0.04, 0.0));
+  EXPECT_FALSE(judge.isContradicted(0.3, 0.2));  // traffic has left planes
+  EXPECT_FALSE(FitJudge(FitConfig()).isContradicted(0.5, 0.0));
+  FitConfig never;
+  never.through = 0.0;
+  EXPECT_FALSE(settledJudge(0.06, never).isContradicted(0.5, 0.0));
+}
+
 TEST(FitJudge, aFitThatWorsensLittleByLittleIsNotUsualSoon) {
   FitJudge judge = settledJudge(0.02);
   double explained = 0.8;

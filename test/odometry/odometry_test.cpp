@@ -159,6 +159,26 @@ TEST(Odometry, ACarriedSensorIsLostAndGoesOnInANewPieceOfMap) {
   }
 }
 
+/// Of a scan whose points more than `left` to the left are so many times as far away.
+PoseVerdict verdictWhere(double times, float left, const OdometryConfig& config) {
+  const Drive drive = driveInRoom(26);
+  Odometry odometry(config);
+  for (int i = 0; i < 25; ++i) odometry.registerScan(drive.scans[i]);
+  Scan scan = drive.scans[25];
+  for (Eigen::Vector3f& point : scan.points)
+    if (point.y() > left) point *= static_cast<float>(times);
+  return odometry.registerScan(scan).scan->verdict;
+}
+
+/// Rays end behind walls: this is another room. What comes near is something in the way.
+TEST(Odometry, APoorScanThatSeesThroughWallsIsLost) {
+  OdometryConfig never = roomConfig();
+  never.fit.through = 0.0;
+  EXPECT_EQ(verdictWhere(1.6, 3.0f, never), PoseVerdict::poor);
+  EXPECT_EQ(verdictWhere(1.6, 3.0f, roomConfig()), PoseVerdict::lost);
+  EXPECT_EQ(verdictWhere(0.6, 0.0f, roomConfig()), PoseVerdict::poor);
+}
+
 TEST(Odometry, RejectedScansChangeNothing) {
   const Drive drive = driveInRoom(12);
   Scan duplicate = drive.scans[3], older = drive.scans[2], empty, far, near;

@@ -32,6 +32,12 @@ class FitJudge {
   /// Whether the pose is farther from the prediction than can be expected.
   bool hasJumped(double jump) const { return config_.jump > 0.0 && jump > config_.jump; }
 
+  /// Whether a poor scan was seen through so much of the map, as shareSeenThrough() has it of this
+  /// scan and the one before, that its pose cannot be right.
+  bool isContradicted(double through, double before) const {
+    return config_.through > 0.0 && isSettled() && through > 2.0 * before + config_.through;
+  }
+
   /// Takes a scan that entered the map into what is usual.
   void observe(const Fit& fit, PoseVerdict verdict);
 

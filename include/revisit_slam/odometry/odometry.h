@@ -66,6 +66,11 @@ class Odometry {
   void reconfigure(const OdometryConfig& config);
 
  private:
+  /// What one sensor saw.
+  struct SeenPoints {
+    Points source_base;
+    Eigen::Vector3d sensor_base;
+  };
   /// A scan that is aligned, and not yet in the map.
   struct Aligned {
     Stamp stamp;
@@ -77,6 +82,7 @@ class Odometry {
     bool sees_motion;
     PoseVerdict verdict;
     double reach;  ///< m, see VoxelScale
+    std::optional<SeenPoints> seen;
   };
 
   LocalVoxelMap emptyMap(double voxel_size) const;
@@ -94,6 +100,7 @@ class Odometry {
     return fit_.judge(fitOf(registered.registration), registered.source_base.size(),
                       registered.jump);
   }
+  bool isContradicted(const RegisteredScan& registered) const;
   void loseTrack(const PredictedMotion& predicted, RegisteredScan& registered) const;
   void startAgain(const Scan& scan, double seconds, RegisteredScan& registered);
   void deskewAgain(RegisteredScan& registered);
@@ -118,6 +125,7 @@ class Odometry {
   std::optional<Scan> first_scan_;  // until the second is registered
   Stamp previous_stamp_;
   Pose T_odom_previous_;
+  std::optional<SeenPoints> previous_seen_;  // none of several sensors
   std::optional<Aligned> aligned_;
 };
 

@@ -91,6 +91,7 @@ struct FitConfig {
   double good = 0.6;
   double lost = 0.3;
   double jump = 5.0;
+  double through = 0.05;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -108,6 +109,11 @@ struct FitConfig {
       "let expect it, with which the pose is good; beyond, it is poor; 0: any. Raise it if right "
       "poses are called poor where the motion changes suddenly; lower it if wrong ones are called "
       "good");
+    v("through", through, Range{0.0, 1.0}, "",
+      "share of the points of a poor scan that were seen through surfaces of the map, beyond twice "
+      "that of the scan before, from which on the pose is lost; 0: never. Raise it if new voxel "
+      "maps begin without need (doors that open suddenly); lower it if the map is distorted after "
+      "the sensor was carried");
   }
 };
 
