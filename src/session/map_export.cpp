@@ -22,8 +22,7 @@
 #include "revisit_slam/mapping/dynamic_point_filter.h"
 #include "revisit_slam/mapping/point_map.h"
 #include "revisit_slam/occupancy/dynamic_voxels.h"
-#include "revisit_slam/occupancy/occupancy_resampling.h"
-#include "revisit_slam/occupancy/occupancy_sum.h"
+#include "revisit_slam/session/composed_occupancy.h"
 #include "revisit_slam/session/georeference_files.h"
 #include "revisit_slam/session/seen_points.h"
 #include "revisit_slam/session/stored_submap.h"
@@ -365,49 +364,14 @@ class MapExport {
   }
 
   void writeOccupancy() {
-    OccupancyVoxels map = composed();
+    OccupancyVoxels map =
+        composedOccupancy(session_, parameters_.occupancy, [this](const SubmapClosed& submap) {
+          return read(submap, {SubmapRecord::occupancy}).occupancy;
+        });
     if (removesDynamic()) dynamic_voxels_.clear(map);
     tell(0.9);
     writeOctree(map);
     writeProjectedGrid(map);
-  }
-
-  /// A tile of the map in memory at a time, and one submap.
-  OccupancyVoxels composed() {
-    const OccupancyConfig& config = parameters_.occupancy;
-    const auto tile_of = [edge = kBlockEdge * config.resolution](const Voxel& block) {
-      return Tile{tileOf(block.x() * edge, kTile), tileOf(block.y() * edge, kTile)};
-    };
-    std::map<Tile, std::vector<const SubmapClosed*>> submaps_of_tile;
-    for (const SubmapClosed& submap : session_.submaps) {
-      const SubmapOccupancyPtr occupancy = occupancyOf(submap);
-      if (!occupancy) continue;
-      std::set<Tile> tiles;
-      for (const Voxel& block : blocksReached(*occupancy, roundedPose(placeOf(submap), config)))
-        tiles.insert(tile_of(block));
-      for (const Tile& tile : tiles) submaps_of_tile[tile].push_back(&submap);
-    }
-    OccupancyVoxels map{config.resolution, {}};
-    for (const auto& [tile, submaps] : submaps_of_tile) {
-      OccupancySum sum(config);
-      const auto is_within = [&, here = tile](const Voxel& block) {
-        return tile_of(block) == here;
-      };
-      for (const SubmapClosed* submap : submaps)
-        if (const SubmapOccupancyPtr occupancy = occupancyOf(*submap))
-          sum.add(submap->id, *occupancy, placeOf(*submap), is_within);
-      const std::vector<OccupancyBlock> blocks = sum.blocks();
-      map.blocks.insert(map.blocks.end(), blocks.begin(), blocks.end());
-    }
-    std::sort(map.blocks.begin(), map.blocks.end(),
-              [](const OccupancyBlock& a, const OccupancyBlock& b) {
-                return BlockOrder()(a.block, b.block);
-              });
-    return map;
-  }
-
-  SubmapOccupancyPtr occupancyOf(const SubmapClosed& submap) {
-    return read(submap, {SubmapRecord::occupancy}).occupancy;
   }
 
   void writeOctree(const OccupancyVoxels& map) {

@@ -147,26 +147,7 @@ TEST_F(LoopDetectorTest, aPairThatWasTriedIsTriedAgainOnceTheGraphHasMovedIt) {
   EXPECT_FALSE(detector_.searchUnspent(tried).proposals.empty());
 }
 
-/// Another passage of the same place, later in the session.
-LocalMapPtr again(const LocalMap& map, const LocalMap& last) {
-  auto later = std::make_shared<LocalMap>();
-  later->id = {last.id.value + 1};
-  std::uint32_t submaps = last.submaps.back()->id.value + 1;
-  std::uint32_t scans = last.submaps.back()->lastScan().value + 1;
-  for (const SubmapPtr& submap : map.submaps) {
-    auto moved = std::make_shared<Submap>(*submap);
-    moved->id = {submaps++};
-    moved->local_map = later->id;
-    moved->first_scan = {scans};
-    moved->travelled_begin += last.submaps.back()->travelled_end;
-    moved->travelled_end += last.submaps.back()->travelled_end;
-    scans = moved->lastScan().value + 1;
-    later->submaps.push_back(moved);
-  }
-  return later;
-}
-
-/// Pairs of maps that one search compares among three passages of a place.
+/// Pairs of maps that one search compares among four passages of a place.
 std::size_t comparedInABatch(int max_pairs, std::size_t batches, int max_partners) {
   LoopsConfig loops;
   loops.recognition.min_inliers = 10000;
@@ -174,9 +155,7 @@ std::size_t comparedInABatch(int max_pairs, std::size_t batches, int max_partner
   retroactive.max_pairs = max_pairs;
   retroactive.max_partners = max_partners;
   LoopDetector detector(loops, retroactive, {});
-  std::vector<LocalMapPtr> maps = streetRevisit();
-  for (int passage = 0; passage < 2; ++passage) maps.push_back(again(*maps[2], *maps.back()));
-  for (const LocalMapPtr& map : maps) detector.searchByAppearance(map);
+  for (const LocalMapPtr& map : streetPassages(4)) detector.searchByAppearance(map);
   TriedPairs tried;
   std::set<LocalMapPair> pairs;
   for (const LoopProposal& proposal : detector.searchUnspent(tried, batches).proposals)

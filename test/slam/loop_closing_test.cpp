@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -63,6 +64,39 @@ TEST_F(LoopClosingTest, nothingIsBegunBeforeTheGraphHasAnswered) {
   ASSERT_EQ(closed_.size(), 1u);
   EXPECT_EQ(closed_.front().request, 7u);
   EXPECT_TRUE(closing.isIdle());
+}
+
+/// Five passages of a place, of which the graph takes all loops.
+TEST_F(LoopClosingTest, eachSearchAtTheEndTakesTwiceAsManyPairs) {
+  config_.retroactive.max_pairs = 1;
+  LoopClosing closing(config_, outputs());
+  std::vector<LoopConstraint> taken;
+  const auto answer_all = [&] {
+    while (!closing.isIdle()) {
+      LoopClosures so_far = closures_.back();
+      taken.insert(taken.end(), so_far.constraints.begin(), so_far.constraints.end());
+      so_far.constraints = taken;
+      closing.correct(answer(so_far, LoopState::active));
+    }
+  };
+  for (const LocalMapPtr& map : streetPassages(5)) {
+    closing.add(map);
+    answer_all();
+  }
+  const std::size_t before = closures_.size();
+  closing.finish({{}, 0, 7});
+  answer_all();
+  ASSERT_EQ(closed_.size(), 1u);
+  std::vector<std::size_t> pairs;  // of each search
+  for (std::size_t i = before; i < closures_.size(); ++i) {
+    std::set<LocalMapPair> of_search;
+    for (const LoopConstraint& loop : closures_[i].constraints)
+      of_search.insert({loop.source_map, loop.target_map});
+    pairs.push_back(of_search.size());
+  }
+  ASSERT_FALSE(pairs.empty());
+  EXPECT_EQ(pairs.front(), 1u);
+  EXPECT_LT(pairs.size(), std::accumulate(pairs.begin(), pairs.end(), std::size_t{0}));
 }
 
 TEST_F(LoopClosingTest, anotherCorrectionIsNoAnswer) {

@@ -89,8 +89,7 @@ class SweepMerger {
   std::int64_t max_wait_;  // ns
   std::int64_t leap_;      // ns: a stamp so far off has to be confirmed
   std::vector<Sensor> sensors_;
-  std::optional<std::size_t>
-      clock_;  // the sensor whose clock is that of the sweeps, once one has sent
+  std::optional<std::size_t> clock_;          // number of the sensor whose clock the sweeps have
   std::optional<std::int64_t> closed_until_;  // window behind the last one that was closed
   bool has_intensities_ = false;              // some sensor has
   std::size_t last_size_ = 0;                 // points of the last sweep

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "revisit_slam/occupancy/occupancy_map.h"
+#include "revisit_slam/occupancy/occupancy_voxels.h"
 
 namespace revisit_slam {
 
