@@ -54,6 +54,27 @@ TEST(TiltCheck, SaysNothingOfABaseThatStandsStraight) {
   EXPECT_EQ(told(tilted(0.03, -0.05)), "");
 }
 
+TEST(TiltCheck, TellsOfASensorThatHangsUpsideDown) {
+  const std::string text = told(tilted(M_PI, 0.0));
+  EXPECT_TRUE(contains(text, "the ground is above 'lidar'")) << text;
+  EXPECT_TRUE(contains(text, "3.14 rad of roll")) << text;
+  EXPECT_TRUE(contains(told(tilted(M_PI + 0.1, -0.1)), "the ground is above"));
+}
+
+TEST(TiltCheck, KnowsACeilingFromAGround) {
+  RandomNumbers random(2);
+  TiltCheck check;
+  for (int i = 0; i < 20; ++i) {
+    RegisteredScan scan = scanOf(tilted(0.0, 0.0), random);
+    for (int k = 0; k < 9000; ++k) {  // more of it than of the floor, which is 1.8 m below
+      Eigen::Vector3d p = random.inCube(20.0);
+      p.z() = 1.0 + 0.02 * random.gaussian(1.0);
+      scan.points_base.push_back(p.cast<float>());
+    }
+    EXPECT_EQ(check.take(scan), "");
+  }
+}
+
 TEST(TiltCheck, SaysNothingWithoutGround) {
   TiltCheck check;
   RegisteredScan scan;
