@@ -12,7 +12,8 @@ class DriveWithLoops {
   DriveWithLoops() {
     ChildProcess simulate({REVISIT_SLAM_SIMULATE_PROGRAM, "--out", bag(), "--world", "town",
                            "--route", "opposite", "--length", "700", "--seed", "1", "--sensor",
-                           "spinning-16", "--columns", "512", "--static", "--quiet", "--gnss"});
+                           "spinning-16", "--columns", "512", "--static", "--quiet", "--gnss",
+                           "--imu"});
     if (simulate.wait(300.0) != 0) ADD_FAILURE() << simulate.output();
     offline = std::make_unique<OfflineProgram>(
         bag(), std::vector<std::string>{"--set", "frames/base=", "--quiet"});
