@@ -2,7 +2,6 @@
 #include "revisit_slam/session/drive_log.h"
 
 #include <sstream>
-#include <stdexcept>
 
 #include "revisit_slam/io/trajectory.h"
 #include "revisit_slam/types/loop_edge.h"
@@ -29,22 +28,6 @@ constexpr const char* kCandidatesHeader =
     "origin,target_map,source_map,target_submap,source_submap,outcome,value,limit,unit\n";
 
 }  // namespace
-
-void LineFile::add(const std::string& line) {
-  waiting_ += line;
-  try {
-    flush();
-  } catch (const std::runtime_error&) {
-    // It waits: flush() at the end tells.
-  }
-}
-
-void LineFile::flush() {
-  if (file_ && file_->removed()) file_.reset();
-  if (!file_) file_ = std::make_unique<GrowingFile>(path_);
-  file_->append(file_->size() == 0 ? header_ + waiting_ : waiting_);
-  waiting_.clear();
-}
 
 DriveLogEntry entryOf(const InformedScan& informed, const StageTimes& times) {
   const RegisteredScan& scan = *informed.scan;

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "revisit_slam/io/growing_file.h"
+#include "revisit_slam/io/line_file.h"
 #include "revisit_slam/session/run_summary.h"
 #include "revisit_slam/types/informed_scan.h"
 #include "revisit_slam/types/loop_candidate.h"
@@ -14,28 +13,6 @@
 #include "revisit_slam/util/stage_times.h"
 
 namespace revisit_slam {
-
-/// Lines that are added to a file, which is made with the first. Those that cannot be written wait
-/// for the next. Where the file is removed, it is made anew, and the lines in it are lost.
-class LineFile {
- public:
-  /// `header`: the first line.
-  explicit LineFile(const std::string& path, const std::string& header = "")
-      : path_(path), header_(header) {}
-
-  /// Before the first line is added.
-  void setHeader(const std::string& header) { header_ = header; }
-  void add(const std::string& line);
-  /// @throws std::runtime_error naming the file, if there are lines that cannot be written.
-  void flush();
-  /// Whether a line was added.
-  bool hasLines() const { return file_ || !waiting_.empty(); }
-
- private:
-  std::string path_, header_;
-  std::unique_ptr<GrowingFile> file_;
-  std::string waiting_;
-};
 
 /// What a scan adds to the log of a drive: all but its points.
 struct DriveLogEntry {

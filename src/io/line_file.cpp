@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "revisit_slam/io/line_file.h"
+
+#include <stdexcept>
+
+namespace revisit_slam {
+
+void LineFile::add(const std::string& line) {
+  waiting_ += line;
+  try {
+    flush();
+  } catch (const std::runtime_error&) {
+    // It waits: flush() at the end tells.
+  }
+}
+
+void LineFile::flush() {
+  if (file_ && file_->removed()) file_.reset();
+  if (!file_) file_ = std::make_unique<GrowingFile>(path_);
+  file_->append(file_->size() == 0 ? header_ + waiting_ : waiting_);
+  waiting_.clear();
+}
+
+}  // namespace revisit_slam
