@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "revisit_slam/localization/localization_log.h"
 #include "revisit_slam/session/run_folder.h"
 #include "revisit_slam/slam/localization_stage.h"
 
@@ -29,7 +30,7 @@ class LocalizedDrive {
   const Say say_;
   std::vector<std::string> notices_;  // of the map
   LocalizationStage stage_;
-  LineFile trajectory_, states_;
+  LocalizationLog log_;
   LocalizationState said_ = LocalizationState::searching;
 };
 

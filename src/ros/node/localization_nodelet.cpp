@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "revisit_slam/ros/messages/coloured_cloud.h"
@@ -17,6 +19,7 @@
 #include "revisit_slam/ros/messages/localization_messages.h"
 #include "revisit_slam/ros/messages/scan_messages.h"
 #include "revisit_slam/ros/node/stage_topics.h"
+#include "revisit_slam/slam/session_targets.h"
 #include "revisit_slam/slam/thinned_scan.h"
 
 namespace revisit_slam {
@@ -29,9 +32,15 @@ LocalizationNodelet::~LocalizationNodelet() {
   if (loader_) loader_->stop();
   if (lane_) lane_->stop();
   map_publisher_.shutdown();
+  try {
+    if (log_) log_->flush();
+  } catch (const std::runtime_error& error) {
+    NODELET_ERROR("%s", error.what());
+  }
 }
 
 void LocalizationNodelet::start() {
+  requireWritable(config_.live);
   try {
     stage_ = readMap(config_.localization.map, config_.localization.start);
   } catch (const std::runtime_error& error) {
@@ -149,6 +158,21 @@ void LocalizationNodelet::add(const InformedScan& informed) {
   else if (last_.state != now.state)
     broadcaster_->forget();  // what spoke for the place did not hold
   publish(now);
+  write(now);
+}
+
+/// Each session of the odometry has a folder, made anew where it is removed. What cannot be written
+/// waits for the next scan.
+void LocalizationNodelet::write(const Localization& now) {
+  if (config_.live.folder.empty()) return;
+  if (!log_ || logged_ != now.scan.session) {
+    logged_ = now.scan.session;
+    log_folder_ = liveTargets(config_.live, "")(logged_, now.stamp).folder;
+    log_.emplace(log_folder_);
+  }
+  std::error_code ignored;  // the log waits
+  std::filesystem::create_directories(log_folder_, ignored);
+  log_->add(now);
 }
 
 void LocalizationNodelet::publish(const Localization& now) {

@@ -138,7 +138,11 @@ TEST(ExtendingLive, beginsOnRequestAndIsRefusedWithTheReason) {
 TEST(LocalizingLive, findsTheDriveInTheMapAndTakesAnother) {
   DriveWithLoops& drive = DriveWithLoops::get();
   const Trajectory truth = readTum(drive.offline->results("trajectory.tum"));
-  LiveSlam slam("localize");
+  const OfflineProgram offline(
+      drive.bag(), {"--set", "frames/base=", "--quiet", "--mode", "localize", "--map", savedMap()});
+  ASSERT_EQ(offline.status, 0) << offline.output;
+  const TemporaryFolder folder;
+  LiveSlam slam("localize", folder.file("drives"));
   const Heard<LocalizationStatus> states(slam, "localization");
   const Heard<geometry_msgs::PoseWithCovarianceStamped> poses(slam, "localized_pose");
   const Heard<sensor_msgs::PointCloud2> prior(slam, "prior_map");
@@ -148,6 +152,12 @@ TEST(LocalizingLive, findsTheDriveInTheMapAndTakesAnother) {
   slam.play({drive.clouds.begin(), half});
   ASSERT_TRUE(becomesTrue([&] { return statesOf(states).count("localized") > 0; }));
   ASSERT_TRUE(becomesTrue([&] { return poses.all().size() > 100; }));
+  const std::string live = onlyEntryOf(folder.file("drives")) + "/";
+  for (const char* name : {"localized.tum", "localization.csv"}) {
+    const std::string lines = textOf(live + name);
+    EXPECT_GT(lines.size(), 10'000u) << name;
+    EXPECT_EQ(textOf(offline.results(name)).substr(0, lines.size()), lines) << name;
+  }
   EXPECT_TRUE(becomesTrue([&] { return !prior.all().empty(); }));
   EXPECT_TRUE(
       becomesTrue([&] { return !texts.all().empty() && texts.all().back()->text == "localized"; }));

@@ -8,7 +8,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
+#include "revisit_slam/localization/localization_log.h"
 #include "revisit_slam/ros/node/datum_topic.h"
 #include "revisit_slam/ros/node/map_broadcaster.h"
 #include "revisit_slam/ros/node/map_loader.h"
@@ -39,6 +41,7 @@ class LocalizationNodelet : public SlamNodelet {
   // In the lane.
   void add(const InformedScan& informed);
   void change(std::unique_ptr<LocalizationStage> stage);
+  void write(const Localization& now);
   void publish(const Localization& now);
   void tellWhereOnEarth();
   void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
@@ -50,7 +53,10 @@ class LocalizationNodelet : public SlamNodelet {
   std::unique_ptr<LocalizationStage> stage_;  // of the lane
   std::optional<PriorCloud> cloud_;           // of its map; of the lane; none: not drawn yet
   std::unique_ptr<MapBroadcaster> broadcaster_;
-  std::unique_ptr<DatumTopic> datum_;  // of the lane
+  std::unique_ptr<DatumTopic> datum_;   // of the lane
+  std::optional<LocalizationLog> log_;  // of the lane; where live/folder is given
+  SessionId logged_;                    // whose it is
+  std::string log_folder_;
 
   std::atomic<std::size_t> thinned_scans_{0};
   std::mutex mutex_;  // guards the next one
