@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Joins sessions that have driven through the same places into one.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/session/map_export.h"
@@ -41,6 +43,13 @@ Options parseOptions(CLI::App& app, int argc, char** argv) {
   app.add_flag("--quiet", options.quiet, "no progress, only errors and what is left out");
   app.parse(argc, argv);
   return options;
+}
+
+void requireDistinct(const std::vector<std::string>& sessions) {
+  std::set<std::filesystem::path> folders;
+  for (const std::string& folder : sessions)
+    if (!folders.insert(std::filesystem::canonical(folder)).second)
+      throw std::runtime_error("the session '" + folder + "' is given twice");
 }
 
 /// Those of the first session, as far as this software has them.
@@ -83,6 +92,7 @@ void sayCrossing(const LoopSearchResult& result, const std::vector<KnownMap>& ma
 }
 
 int run(const Options& options) {
+  requireDistinct(options.sessions);
   const SlamConfig config = readConfig(options);
   requireUnused(options.out);
   std::vector<std::string> notices;

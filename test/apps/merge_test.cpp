@@ -90,5 +90,11 @@ TEST_F(MergeTest, NothingIsOverwrittenAndNothingElseIsRead) {
   EXPECT_TRUE(contains(merge({"--out", folder_.file("both")}, 1), "is no session"));
 }
 
+TEST_F(MergeTest, ASessionIsRefusedTheSecondTime) {
+  const std::string said = merge({folder_.file("b/../a"), "--out", folder_.file("both")}, 1);
+  EXPECT_TRUE(contains(said, "a' is given twice")) << said;
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("both")));
+}
+
 }  // namespace
 }  // namespace revisit_slam
