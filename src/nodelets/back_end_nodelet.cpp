@@ -4,6 +4,7 @@
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <future>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
@@ -165,12 +166,13 @@ class BackEndNodelet : public SlamNodelet {
     });
   }
 
-  /// And no longer keeps those of sessions before.
+  /// And no longer keeps those of sessions that have ended.
   std::string save(GraphSession& session) {
     logging_->drain();  // nobody else posts there
     const auto log = logs_.find(session.id());
     std::string problem = saveAll(session, log == logs_.end() ? nullptr : &log->second);
-    logs_.erase(logs_.begin(), logs_.lower_bound(session.id()));
+    for (auto other = logs_.begin(); other != logs_.end();)
+      other = stage_->find(other->first) == nullptr ? logs_.erase(other) : std::next(other);
     return problem;
   }
 
