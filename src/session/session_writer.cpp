@@ -172,8 +172,9 @@ void SessionWriter::setClosed(bool closed) {
 void requireUnused(const std::string& folder) {
   for (const char* name :
        {"session.yaml", "graph.log", "optimisations.log", "submaps", "local_maps", "run.json",
-        "odometry.tum", "odometry_information.csv", "scan_times.csv", "trajectory.tum",
-        "pose_graph.g2o", "map.pcd", "map.ply", "map.las", "map.bt", "map.pgm", "map_tiles"})
+        "odometry.tum", "odometry_information.csv", "scan_times.csv", "localized.tum",
+        "localization.csv", "trajectory.tum", "pose_graph.g2o", "map.pcd", "map.ply", "map.las",
+        "map.bt", "map.pgm", "map_tiles"})
     if (std::filesystem::exists(folder + "/" + name))
       throw std::runtime_error("the folder '" + folder + "' holds results already (" + name +
                                "), which are not overwritten: give another one, or remove them");

@@ -30,13 +30,20 @@ LocalizationNodelet::~LocalizationNodelet() {
   scan_subscriber_.shutdown();
   start_subscriber_.shutdown();
   if (loader_) loader_->stop();
+  if (lane_) lane_->drain();
   if (lane_) lane_->stop();
   map_publisher_.shutdown();
+  endLog();
+}
+
+/// The next scan begins another one.
+void LocalizationNodelet::endLog() {
   try {
     if (log_) log_->flush();
   } catch (const std::runtime_error& error) {
     NODELET_ERROR("%s", error.what());
   }
+  log_.reset();
 }
 
 void LocalizationNodelet::start() {
@@ -93,6 +100,7 @@ void LocalizationNodelet::load(const std::string& folder, LoadMap::Response& res
 
 void LocalizationNodelet::change(std::unique_ptr<LocalizationStage> stage) {
   stage_ = std::move(stage);
+  endLog();
   broadcaster_->forget();
   tellWhereOnEarth();
   Localization anew;
@@ -166,6 +174,7 @@ void LocalizationNodelet::add(const InformedScan& informed) {
 void LocalizationNodelet::write(const Localization& now) {
   if (config_.live.folder.empty()) return;
   if (!log_ || logged_ != now.scan.session) {
+    endLog();
     logged_ = now.scan.session;
     log_folder_ = liveTargets(config_.live, "")(logged_, now.stamp).folder;
     log_.emplace(log_folder_);

@@ -42,6 +42,7 @@ class LocalizationNodelet : public SlamNodelet {
   void add(const InformedScan& informed);
   void change(std::unique_ptr<LocalizationStage> stage);
   void write(const Localization& now);
+  void endLog();
   void publish(const Localization& now);
   void tellWhereOnEarth();
   void startAt(const geometry_msgs::PoseWithCovarianceStamped& drawn);
