@@ -75,9 +75,9 @@ bool isUpsideDown(const RegisteredScan& scan) {
 }
 
 std::string describeUpsideDown(const std::string& frame) {
-  return "the ground is above '" + frame +
-         "', and map and grid are upside down: broadcast its transform, with 3.14 rad of roll more "
-         "than now";
+  return "the ground seems to be above '" + frame +
+         "': if it hangs upside down, map and grid do, too: broadcast its transform, with 3.14 rad "
+         "of roll more than now";
 }
 
 }  // namespace
