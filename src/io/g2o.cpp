@@ -61,6 +61,8 @@ void writeG2o(const std::string& path, const G2oGraph& graph) {
     std::ofstream file(temporary);
     for (std::size_t i = 0; i < graph.ids.size(); ++i)
       file << "VERTEX_SE3:QUAT " << graph.ids[i] << numbersOf(graph.graph.poses()[i]) << '\n';
+    for (std::uint32_t i = 0; i < graph.ids.size(); ++i)
+      if (graph.graph.isHeld({i})) file << "FIX " << graph.ids[i] << '\n';
     writeEdges(file, graph);
     if (!file.flush()) throw std::runtime_error("cannot write the pose graph '" + path + "'");
   });

@@ -62,9 +62,13 @@ class G2oLine {
     return A;
   }
 
-  void requireEnd() {
+  bool isAtEnd() {
     skipSpace();
-    if (*next_ != '\0') throw std::runtime_error("too much at '" + std::string(next_) + "'");
+    return *next_ == '\0';
+  }
+
+  void requireEnd() {
+    if (!isAtEnd()) throw std::runtime_error("too much at '" + std::string(next_) + "'");
   }
 
  private:

@@ -22,6 +22,11 @@ struct Edge {
   int line;
 };
 
+struct Held {
+  std::uint64_t id;
+  int line;
+};
+
 /// Whether no direction has a negative weight, but for rounding of the file's digits.
 bool isInformation(const Matrix6& matrix) {
   constexpr double kRounding = 1e-6;
@@ -37,8 +42,10 @@ class G2oReading {
     if (text.find('\0') != std::string::npos) throw std::runtime_error("a byte of no text");
     G2oLine line(text);
     const std::string type = line.word();
-    if (type.empty() || type[0] == '#' || type == "FIX" || type.rfind("PARAMS_", 0) == 0) return;
-    if (type == "VERTEX_SE3:QUAT")
+    if (type.empty() || type[0] == '#' || type.rfind("PARAMS_", 0) == 0) return;
+    if (type == "FIX")
+      addHeld(line, number);
+    else if (type == "VERTEX_SE3:QUAT")
       addVertex(line);
     else if (type == "EDGE_SE3:QUAT")
       addEdge(line, number);
@@ -48,6 +55,7 @@ class G2oReading {
   }
 
   const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Held>& held() const { return held_; }
 
   G2oGraph vertices() {
     std::sort(vertices_.begin(), vertices_.end(),
@@ -65,7 +73,18 @@ class G2oReading {
         {nodeOf(edge.from), nodeOf(edge.to)}, edge.T_from_to, informationFromG2o(edge.information)};
   }
 
+  NodeId nodeOf(std::uint64_t id) const {
+    const auto found = nodes_.find(id);
+    if (found == nodes_.end()) throw std::runtime_error("there is no vertex " + std::to_string(id));
+    return found->second;
+  }
+
  private:
+  void addHeld(G2oLine& line, int number) {
+    held_.push_back({line.id(), number});
+    while (!line.isAtEnd()) held_.push_back({line.id(), number});
+  }
+
   void addVertex(G2oLine& line) {
     const std::uint64_t id = line.id();
     if (!nodes_.emplace(id, NodeId{}).second)
@@ -83,14 +102,9 @@ class G2oReading {
     edges_.push_back({from, to, T_from_to, information, number});
   }
 
-  NodeId nodeOf(std::uint64_t id) const {
-    const auto found = nodes_.find(id);
-    if (found == nodes_.end()) throw std::runtime_error("there is no vertex " + std::to_string(id));
-    return found->second;
-  }
-
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
+  std::vector<Held> held_;
   std::unordered_map<std::uint64_t, NodeId> nodes_;
 };
 
@@ -106,6 +120,10 @@ G2oGraph readG2o(const std::string& path, const RobustKernel& loop_kernel) {
     while (std::getline(file, text)) reading.read(text, ++number);
     G2oGraph result = reading.vertices();
     if (result.ids.empty()) throw std::runtime_error("there is no vertex");
+    for (const Held& held : reading.held()) {
+      number = held.line;
+      result.graph.hold(reading.nodeOf(held.id));
+    }
     std::vector<RelativePoseFactor> loops;
     for (const Edge& edge : reading.edges()) {
       number = edge.line;

@@ -79,7 +79,7 @@ Matrix6 informationOfNode(const Factor& factor, const std::vector<Pose>& poses) 
       factor.measurement);
 }
 
-/// The first nodes of the parts that absolute factors determine.
+/// The first nodes of the parts that held nodes or absolute factors determine.
 std::set<std::uint32_t> determinedParts(const PoseGraph& graph, ConnectedParts& parts) {
   std::map<std::uint32_t, AbsoluteInformation> known;
   for (const Factor& factor : graph.factors()) {
@@ -90,6 +90,8 @@ std::set<std::uint32_t> determinedParts(const PoseGraph& graph, ConnectedParts& 
   std::set<std::uint32_t> determined;
   for (const auto& [first, information] : known)
     if (information.determinesThePart()) determined.insert(first);
+  for (std::uint32_t i = 0; i < graph.poses().size(); ++i)
+    if (graph.isHeld({i})) determined.insert(parts.firstOf(i));
   return determined;
 }
 
@@ -101,7 +103,8 @@ std::vector<NodeId> gaugeNodes(const PoseGraph& graph) {
   const std::set<std::uint32_t> determined = determinedParts(graph, parts);
   std::vector<NodeId> gauges;
   for (std::uint32_t i = 0; i < graph.poses().size(); ++i)
-    if (parts.firstOf(i) == i && determined.count(i) == 0) gauges.push_back(NodeId{i});
+    if (graph.isHeld({i}) || (parts.firstOf(i) == i && determined.count(i) == 0))
+      gauges.push_back(NodeId{i});
   return gauges;
 }
 

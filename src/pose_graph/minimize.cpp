@@ -80,12 +80,14 @@ class GraphProblem {
       : problem_(problemOptions()) {
     blocks_.reserve(start.size());
     for (const Pose& T_map_node : start) blocks_.push_back(blockOf(T_map_node));
+    if (blocks_.empty()) return;
     auto* manifold = new PoseManifold;  // owned by the problem
     for (PoseBlock& block : blocks_) {
       problem_.AddParameterBlock(block.data(), PoseChart::kAmbient);
       setManifold(problem_, block.data(), manifold);
     }
-    for (const Factor& factor : graph.factors()) add(factor, least_scale);
+    for (const Factor& factor : graph.factors())
+      if (!graph.isSettled(factor)) add(factor, least_scale);
     for (const NodeId id : gaugeNodes(graph))
       problem_.SetParameterBlockConstant(blocks_[id.value].data());
   }

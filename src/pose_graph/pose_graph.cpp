@@ -26,7 +26,19 @@ void requireDistinct(FactorNodes nodes, std::size_t known) {
 
 NodeId PoseGraph::addNode(const Pose& T_map_node) {
   poses_.push_back(T_map_node);
+  held_.push_back(false);
   return NodeId{static_cast<std::uint32_t>(poses_.size() - 1)};
+}
+
+void PoseGraph::hold(NodeId node) {
+  if (node.value >= held_.size())
+    throw std::invalid_argument("there is no node " + std::to_string(node.value));
+  held_[node.value] = true;
+}
+
+bool PoseGraph::isSettled(const Factor& factor) const {
+  const FactorNodes nodes = factor.nodes();
+  return std::all_of(nodes.begin(), nodes.end(), [&](NodeId node) { return isHeld(node); });
 }
 
 FactorId PoseGraph::addFactor(const Measurement& measurement, const RobustKernel& kernel) {

@@ -44,6 +44,12 @@ void SlamGraph::addOptimised(const std::vector<GraphNode>& nodes,
   ++changes_;
 }
 
+void SlamGraph::freezeMap() {
+  const SessionGroups groups(loops_);
+  for (const SessionId session : scans_.sessions())
+    if (groups.areTied(nodes_.front().id.session, session)) frozen_.insert(session);
+}
+
 Pose SlamGraph::pose(ScanId id) const {
   const NodeId node = nodeOfScan(id);
   return node.value < optimised_.size() ? optimised_[node.value]
@@ -86,8 +92,11 @@ SlamGraph::LoopGraph SlamGraph::graphUpTo(std::size_t nodes) const {
   const std::vector<std::size_t> active = activeLoops();
   const bool is_corrected = !active.empty() || gnss_.georeference() || gravity_.any();
   for (std::size_t i = 0; i < nodes; ++i) {
+    const bool is_frozen = frozen_.count(nodes_[i].id.session) > 0;
     // Without loops nothing is left of what others that are now disabled have done.
-    graph.addNode(is_corrected ? pose(nodes_[i].id) : nodes_[i].T_odom_base);
+    const bool stays = is_corrected || is_frozen;
+    const NodeId node = graph.addNode(stays ? pose(nodes_[i].id) : nodes_[i].T_odom_base);
+    if (is_frozen) graph.hold(node);
     if (i > 0 && nodes_[i].id.session == nodes_[i - 1].id.session) graph.addFactor(odometryEdge(i));
   }
   const RobustKernel kernel = config_.loop_kernel.value();
@@ -153,6 +162,7 @@ void SlamGraph::joinSessions(const Batch& batch) {
   std::vector<LoopEdge> others = loops_;
   for (std::size_t i = batch.first; i < batch.end; ++i) others[i].state = LoopState::rejected;
   SessionGroups groups(others);
+  for (const SessionId session : frozen_) groups.join(*frozen_.begin(), session);
   for (std::size_t i = batch.first; i < batch.end; ++i) {
     const Constraint& loop = loops_[i].loop.constraint;
     const SessionId from = groups.of(loop.from.session), to = groups.of(loop.to.session);
@@ -227,13 +237,18 @@ void SlamGraph::tryRejected(ScanId last) {
   }
 }
 
-/// Every loop has a vote: inliers of the batch against established loops that are inliers no
-/// longer.
+bool SlamGraph::isFrozen(const Constraint& constraint) const {
+  return frozen_.count(constraint.from.session) > 0 && frozen_.count(constraint.to.session) > 0;
+}
+
+/// Every loop that poses can follow has a vote: inliers of the batch against established loops that
+/// are inliers no longer.
 bool SlamGraph::overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                           const std::vector<FactorResidual>& residuals) const {
   const auto is_inlier = [&](double weight) { return weight >= config_.min_inlier_weight; };
   std::size_t added = 0, inliers = 0, overridden = 0;
   for (const auto& [loop, factor] : active) {
+    if (isFrozen(loops_[loop].loop.constraint)) continue;
     const bool inlier = is_inlier(residuals[factor.value].weight);
     if (batch.contains(loop)) {
       ++added;

@@ -74,8 +74,10 @@ void minimizeInto(PoseGraphSolution& solution, const PoseGraph& graph, const Sol
   solution.factors = residualsOf(graph, before, after);
 }
 
-/// Whether nothing but one chain of odometry leads to any node.
+/// Whether nothing but one chain of odometry leads to any node, and none is held.
 bool isOdometryAlone(const PoseGraph& graph) {
+  for (std::uint32_t i = 0; i < graph.poses().size(); ++i)
+    if (graph.isHeld({i})) return false;
   std::vector<bool> reached(graph.poses().size(), false);
   for (const Factor& factor : graph.factors()) {
     const RelativePoseFactor* link = chainLink(factor);

@@ -152,6 +152,7 @@ class LogReplay {
     const auto others = graph.nodes.begin() + static_cast<std::ptrdiff_t>(taken.T_map_scan.size());
     solver_ = SlamGraph(backend_, gnss_, gravity_);
     solver_.addOptimised({graph.nodes.begin(), others}, taken.T_map_scan, taken.loops);
+    if (backend_.freeze_map) solver_.freezeMap();
     std::for_each(others, graph.nodes.end(), [&](const GraphNode& node) { solver_.add(node); });
   }
 

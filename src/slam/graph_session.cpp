@@ -16,6 +16,7 @@ namespace {
 SlamGraph beginGraph(const SlamConfig& config, const KnownMapPtr& prior) {
   SlamGraph graph(config.backend, config.gnss, config.gravity);
   if (prior) graph.addOptimised(prior->nodes, prior->session.graph.T_map_scan, prior->loops);
+  if (prior && config.backend.freeze_map) graph.freezeMap();
   return graph;
 }
 

@@ -36,6 +36,8 @@ TEST(G2o, ReadsNodesInTheOrderOfTheirIds) {
   EXPECT_EQ(read.ids, (std::vector<std::uint64_t>{10, 11}));
   EXPECT_EQ(read.graph.poses()[1].translation.x(), 1.0);
   EXPECT_EQ(read.graph.poses()[1].rotation.w(), 1.0);  // made a unit quaternion
+  EXPECT_TRUE(read.graph.isHeld(NodeId{0}));
+  EXPECT_FALSE(read.graph.isHeld(NodeId{1}));
   ASSERT_EQ(read.graph.factors().size(), 1u);
   EXPECT_EQ(read.graph.factors()[0].nodes().begin()[1], NodeId{1});
 }
@@ -60,10 +62,12 @@ TEST(G2o, WhatIsWrittenReadsBackTheSame) {
   for (const auto& nodes : {std::array{NodeId{0}, NodeId{1}}, std::array{NodeId{2}, NodeId{0}}})
     written.graph.addFactor(RelativePoseFactor{nodes, random.pose(5), someInformation(random)});
   written.graph.addFactor(PositionFactor{{NodeId{2}}});  // no such lines
+  for (const std::uint32_t i : {0u, 2u}) written.graph.hold(NodeId{i});
   const TemporaryFolder folder;
   writeG2o(folder.file("a.g2o"), written);
   const G2oGraph read = readG2o(folder.file("a.g2o"));
   EXPECT_EQ(read.ids, written.ids);
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(read.graph.isHeld({i}), i != 1) << i;
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_LT(distanceBetween(read.graph.poses()[i], written.graph.poses()[i]), 1e-11);
   ASSERT_EQ(read.graph.factors().size(), 2u);
@@ -91,6 +95,8 @@ TEST(G2o, ErrorsNameTheLine) {
   expectAt(1, "too much at '9'", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1 9\n");
   expectAt(6, "vertex 10 is there already", kVertices + "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n");
   expectAt(2, "there is no vertex 11", "VERTEX_SE3:QUAT 10 0 0 0 0 0 0 1\n" + kEdge);
+  expectAt(6, "there is no vertex 12", kVertices + "FIX 10 12\n");
+  expectAt(1, "'x' is no id", "FIX 10 x\n" + kVertices);
   expectAt(1, "itself", "EDGE_SE3:QUAT 10 10 1 0 0 0 0 0 1 " + kIdentity + "\n" + kVertices);
   expectAt(1, "negative eigenvalue",
            "EDGE_SE3:QUAT 10 11 1 0 0 0 0 0 1 -1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n");

@@ -69,6 +69,19 @@ TEST(ChainReduction, KeepsAbsoluteFactorsWithTheirKernels) {
   expectSamePoses(graph);
 }
 
+TEST(ChainReduction, LeavesOutWhatIsSettled) {
+  PoseGraph graph = chainOf(100);
+  graph.addFactor(between(10, 20));  // of held nodes
+  graph.addFactor(between(30, 80));
+  for (std::uint32_t i = 0; i < 50; ++i) graph.hold(NodeId{i});
+  const ChainReduction reduction(graph);
+  ASSERT_EQ(reduction.reduced().poses().size(), 4u);  // 30, 49, 80, 99
+  EXPECT_EQ(reduction.reduced().factors().size(), 3u);
+  for (const std::uint32_t i : {0u, 1u}) EXPECT_TRUE(reduction.reduced().isHeld(NodeId{i}));
+  for (const std::uint32_t i : {2u, 3u}) EXPECT_FALSE(reduction.reduced().isHeld(NodeId{i}));
+  expectSamePoses(graph);
+}
+
 TEST(ChainReduction, OdometryMeasuredTwiceIsNoChain) {
   PoseGraph graph = chainOf(10);
   graph.addFactor(between(4, 5));

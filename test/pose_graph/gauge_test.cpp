@@ -43,6 +43,15 @@ TEST(Gauge, EveryConnectedPartHasItsOwn) {
   EXPECT_TRUE(gaugeNodes(PoseGraph()).empty());
 }
 
+TEST(Gauge, OfAPartWithHeldNodesIsTheseAlone) {
+  PoseGraph graph;
+  for (int i = 0; i < 6; ++i) graph.addNode({});
+  for (std::uint32_t i : {1u, 2u, 5u}) graph.addFactor(between(i - 1, i));
+  graph.hold(NodeId{1});
+  graph.hold(NodeId{2});
+  EXPECT_EQ(gaugeNodes(graph), (std::vector<NodeId>{{1}, {2}, {3}, {4}}));
+}
+
 TEST(Gauge, StaysWherePositionsLeaveAPartFreeToTurn) {
   const std::vector<NodeId> first{NodeId{0}};
   EXPECT_EQ(gaugeNodes(measuredAt({{0, 0, 0}}, 0.1)), first);

@@ -36,6 +36,18 @@ TEST(PoseGraph, RefusesFactorsOfUnknownNodes) {
   EXPECT_TRUE(graph.factors().empty());
 }
 
+TEST(PoseGraph, FactorsBetweenHeldNodesAreSettled) {
+  PoseGraph graph = graphOf(3);
+  for (const std::uint32_t to : {1u, 2u}) graph.addFactor(between(0, to));
+  graph.hold(NodeId{0});
+  graph.hold(NodeId{2});
+  EXPECT_TRUE(graph.isHeld(NodeId{0}));
+  EXPECT_FALSE(graph.isHeld(NodeId{1}));
+  EXPECT_FALSE(graph.isSettled(graph.factors()[0]));
+  EXPECT_TRUE(graph.isSettled(graph.factors()[1]));
+  EXPECT_THROW(graph.hold(NodeId{3}), std::invalid_argument);
+}
+
 TEST(PoseGraph, LaterNodesMoveAlongWithACorrection) {
   PoseGraph graph = graphOf(5);
   const std::vector<Pose> before = graph.poses();

@@ -219,6 +219,84 @@ TEST(SlamGraph, GoesOnWithWhatWasOptimisedBefore) {
       1e-9);
 }
 
+/// Of a wrong loop that is left out nothing stays, however certain of it the graph was.
+TEST(SlamGraph, RightLoopsComeBackWhenTheWrongOneIsDisabled) {
+  SlamGraph graph = bentDrive();
+  LoopConstraint wrong = straight(0, 50, 25.0);
+  wrong.constraint.information *= 1e4;
+  ASSERT_TRUE(graph.optimise(ScanId{50}, {wrong}));
+  graph.optimise(ScanId{55}, {straight(0, 55), straight(2, 53), straight(5, 50)});
+  EXPECT_GT(offLine(graph, 50), 5.0);
+  EXPECT_TRUE(graph.disable(LoopId{0}));
+  ASSERT_TRUE(graph.optimise(ScanId{55}, {}));
+  EXPECT_LT(offLine(graph, 50), 0.5);
+  for (std::size_t i = 1; i < graph.loops().size(); ++i) {
+    EXPECT_EQ(graph.loops()[i].state, LoopState::active) << i;
+    EXPECT_GT(graph.loops()[i].weight, 0.5) << i;
+  }
+}
+
+/// Bends of a drive that goes on from a straightened one, tied to it at both ends and the middle.
+SlamGraph drivesTiedTo(const SlamGraph& before, bool is_frozen) {
+  SlamGraph graph({});
+  graph.addOptimised(before.nodes(), before.poses(), before.loops());
+  if (is_frozen) graph.freezeMap();
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    graph.add({ScanId{i, SessionId{1}}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
+  std::vector<LoopConstraint> ties;
+  for (const std::uint32_t i : {5u, 30u, 55u}) {
+    LoopConstraint tie = straight(i, i, 1.0);
+    tie.constraint.to.session = tie.source.session = SessionId{1};
+    ties.push_back(tie);
+  }
+  EXPECT_TRUE(graph.optimise(ScanId{kNodes - 1, SessionId{1}}, ties));
+  return graph;
+}
+
+TEST(SlamGraph, AFrozenMapStaysWhereItIsAndTheDriveFollows) {
+  SlamGraph before = bentDrive();
+  before.optimise(ScanId{kNodes - 1}, {straight(0, kNodes - 1)});
+  const SlamGraph frozen = drivesTiedTo(before, true), free = drivesTiedTo(before, false);
+  double moved = 0.0;
+  for (std::uint32_t i = 0; i < kNodes; ++i) {
+    EXPECT_EQ(frozen.pose(ScanId{i}).matrix(), before.pose(ScanId{i}).matrix()) << i;
+    moved = std::max(moved, distanceBetween(free.pose(ScanId{i}), before.pose(ScanId{i})));
+  }
+  EXPECT_GT(moved, 1e-3);
+  for (const std::uint32_t i : {5u, 30u, 55u}) {
+    const Pose T = frozen.pose(ScanId{i}).inverse() * frozen.pose(ScanId{i, SessionId{1}});
+    EXPECT_LT((T.translation - Eigen::Vector3d(0.0, 1.0, 0.0)).norm(), 0.2) << i;
+  }
+}
+
+/// Nor where the loop that tied two sessions of the map is disabled, and the drive is tied to both.
+TEST(SlamGraph, AFrozenMapDoesNotFallApart) {
+  SlamGraph before = bentDrives();
+  ASSERT_TRUE(before.optimise(ScanId{kNodes - 1, SessionId{1}}, {across(20, 30)}));
+  SlamGraph graph({});
+  graph.addOptimised(before.nodes(), before.poses(), before.loops());
+  graph.freezeMap();
+  ASSERT_TRUE(graph.disable(LoopId{0}));
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    graph.add({ScanId{i, SessionId{2}}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
+  const Pose held = graph.pose(ScanId{30, SessionId{1}});
+  LoopConstraint tie = straight(30, 7, 2.0);
+  tie.constraint.from.session = SessionId{1};
+  tie.constraint.to.session = SessionId{2};
+  LoopConstraint first = straight(20, 20, 1.0);
+  first.constraint.to.session = SessionId{2};
+  graph.optimise(ScanId{kNodes - 1, SessionId{2}}, {first, tie});
+  EXPECT_EQ(graph.pose(ScanId{30, SessionId{1}}).matrix(), held.matrix());
+}
+
+TEST(SlamGraph, ASessionThatWasInNoMapIsNotFrozen) {
+  SlamGraph graph = bentDrives();
+  graph.freezeMap();
+  ASSERT_TRUE(graph.optimise(ScanId{kNodes - 1, SessionId{1}}, {across(20, 30)}));
+  EXPECT_EQ(graph.pose(ScanId{20}).matrix(), Pose(bentPose(20)).matrix());
+  EXPECT_GT(distanceBetween(graph.pose(ScanId{30, SessionId{1}}), bentPose(30)), 1.0);
+}
+
 TEST(SlamGraph, RefusesAGapInTheScans) {
   SlamGraph graph = bentDrive();
   EXPECT_THROW(graph.add({ScanId{kNodes + 1}, {}, {}, Matrix6::Identity()}), std::invalid_argument);

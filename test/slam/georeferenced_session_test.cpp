@@ -7,6 +7,7 @@
 #include "revisit_slam/slam/graph_session.h"
 #include "session/session_fixtures.h"
 #include "support/contains.h"
+#include "support/session_logs.h"
 #include "support/temporary_folder.h"
 
 namespace revisit_slam {
@@ -102,11 +103,7 @@ TEST_F(GeoreferencedSession, MeasurementsAndAlignmentAreReadAsTheyWere) {
 
 /// Where the trajectory is not in the log the graph is optimised once more, positions included.
 TEST_F(GeoreferencedSession, TheGraphIsSolvedAgainFromTheLogs) {
-  const GraphLog log = readGraphLog(optimisationsFile(path_));
-  std::string without = graphLogHeader();
-  for (const LogEntry& entry : log.entries)
-    if (!std::holds_alternative<TrajectoryWritten>(entry)) without += encodeEntry(entry);
-  std::ofstream(optimisationsFile(path_), std::ios::binary) << without;
+  forgetTrajectory(path_);
   std::vector<std::string> notices;
   const Session session = readSession(path_, notices);
   EXPECT_TRUE(notices.empty()) << notices.front();

@@ -9,6 +9,7 @@
 
 #include "revisit_slam/localization/prior_map.h"
 #include "revisit_slam/session/map_export.h"
+#include "support/session_logs.h"
 #include "support/simulated_slam.h"
 #include "support/temporary_folder.h"
 
@@ -51,14 +52,14 @@ class SessionMergeTest : public testing::Test {
 
   /// As the drive that these scans are of would have left it.
   static Driven map(const std::string& name, const InformedDrive& drive, std::size_t scans,
-                    const KnownMapPtr& prior = {}) {
+                    const KnownMapPtr& prior = {}, const SlamConfig& config = {}) {
     Driven driven{folder_->file(name), drive.truth};
     SlamRecorder recorder;
     InlineExecutor executor;
     const SessionTargets targets = [&](SessionId, Stamp) {
       return SessionTarget{driven.folder, "simulated", nullptr, false};
     };
-    Slam slam(SlamConfig{}, recorder, executor, targets);
+    Slam slam(config, recorder, executor, targets);
     for (std::size_t i = 0; i < scans; ++i) {
       InformedScan informed = drive.scans[i];
       auto scan = std::make_shared<RegisteredScan>(*informed.scan);
@@ -192,6 +193,26 @@ TEST_F(SessionMergeTest, ADriveThatGoesOnFromAMapJoinsIt) {
     EXPECT_EQ(textOf(submapFile(extended.folder, closed.id)),
               textOf(submapFile(drives_[0].folder, closed.id)));
   EXPECT_LT(error(session.graph.nodes, session.graph.T_map_scan, {drives_[0], extended}), 0.3);
+}
+
+TEST_F(SessionMergeTest, ADriveThatGoesOnFromAFrozenMapMovesNothingOfIt) {
+  std::vector<std::string> notices;
+  const auto prior = std::make_shared<const KnownMap>(
+      readKnownMap(drives_[0].folder, {}, SlamConfig{}.loops.recognition, notices));
+  SlamConfig config;
+  config.backend.freeze_map = true;
+  const Driven extended = map("frozen", returned_, part_, prior, config);
+  const SessionGraph written = readSession(extended.folder, notices).graph;
+  forgetTrajectory(extended.folder);
+  const SessionGraph graph = readSession(extended.folder, notices).graph;
+  EXPECT_TRUE(notices.empty()) << notices.front();
+  for (std::size_t i = 0; i < written.T_map_scan.size(); ++i)
+    EXPECT_EQ(graph.T_map_scan[i].matrix(), written.T_map_scan[i].matrix()) << i;
+  EXPECT_TRUE(SessionGroups(graph.loops).areTied(SessionId{0}, SessionId{1}));
+  const std::vector<Pose>& known = prior->session.graph.T_map_scan;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    EXPECT_EQ(graph.T_map_scan[i].matrix(), known[i].matrix()) << i;
+  EXPECT_LT(error(graph.nodes, graph.T_map_scan, {drives_[0], extended}), 0.3);
 }
 
 TEST_F(SessionMergeTest, ADriveElsewhereKeepsAMapOfItsOwn) {

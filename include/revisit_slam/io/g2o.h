@@ -17,7 +17,7 @@ struct G2oGraph {
 
 /// Reads VERTEX_SE3:QUAT and EDGE_SE3:QUAT lines; the node with the smallest id comes first. Edges
 /// from a node to the next are odometry and the first factors, all others loops with this kernel.
-/// Comments, FIX and PARAMS_ lines are passed over. A graph has a node.
+/// FIX lines hold nodes; comments and PARAMS_ lines are passed over. A graph has a node.
 /// @throws std::runtime_error naming the file and the line that cannot be used.
 G2oGraph readG2o(const std::string& path, const RobustKernel& loop_kernel = {});
 

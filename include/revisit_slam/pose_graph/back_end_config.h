@@ -14,6 +14,7 @@ struct BackEndConfig {
   double min_inlier_weight = 0.1;
   double drift = 0.007;
   double turn_drift = 2e-4;
+  bool freeze_map = false;
 
   template <typename Visitor>
   void visit(Visitor& v) {
@@ -33,6 +34,9 @@ struct BackEndConfig {
       "metre travelled, where positions of GNSS or directions of gravity are used; for the best "
       "constrained axis, and proportionally more about the others. Raise it if the map does not "
       "follow good positions or directions; lower it if their noise bends the map");
+    v("freeze_map", freeze_map,
+      "of a drive that goes on from a saved map. true: the poses of that map stay as they are; "
+      "false: the optimisation may move both");
   }
 };
 

@@ -10,8 +10,8 @@ namespace revisit_slam {
 
 /// A small graph in place of one with long odometry chains: it has the ends of chains, the gauges
 /// and all nodes that any other factor binds, one composed factor for each chain between them, and
-/// these other factors with their kernels. Its minimum is that of the whole graph for small
-/// corrections and a good start for large ones.
+/// these other factors with their kernels; what is settled is left out. Its minimum is that of the
+/// whole graph for small corrections and a good start for large ones.
 class ChainReduction {
  public:
   /// The graph must outlive the reduction.
@@ -28,13 +28,14 @@ class ChainReduction {
     ChainPiece links;
   };
 
-  void keepNodes(const PoseGraph& graph);
-  void cutPieces(const PoseGraph& graph);
-  void compose(const PoseGraph& graph);
+  void keepNodes();
+  void cutPieces();
+  void compose();
 
+  const PoseGraph& whole_;
   PoseGraph reduced_;
   std::vector<NodeId> kept_;        ///< reduced -> whole
-  std::vector<NodeId> reduced_of_;  ///< whole -> reduced, or kInner
+  std::vector<NodeId> reduced_of_;  ///< whole -> reduced, or kNone
   std::vector<Piece> pieces_;
 };
 

@@ -13,6 +13,12 @@ class PoseGraph {
  public:
   NodeId addNode(const Pose& T_map_node);
 
+  /// The node stays where it is. @throws std::invalid_argument for one that is not there.
+  void hold(NodeId node);
+  bool isHeld(NodeId node) const { return held_[node.value]; }
+  /// Whether all nodes that a factor binds are held: nothing depends on it.
+  bool isSettled(const Factor& factor) const;
+
   /// @throws std::invalid_argument for a measurement of a node that is not there, or between a node
   /// and itself.
   FactorId addFactor(const Measurement& measurement, const RobustKernel& kernel = {});
@@ -26,6 +32,7 @@ class PoseGraph {
 
  private:
   std::vector<Pose> poses_;      ///< by NodeId
+  std::vector<bool> held_;       ///< likewise
   std::vector<Factor> factors_;  ///< by FactorId
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "revisit_slam/pose_graph/back_end_config.h"
@@ -40,6 +41,9 @@ class SlamGraph {
   /// they are, and those that were rejected are not tried again.
   void addOptimised(const std::vector<GraphNode>& nodes, const std::vector<Pose>& T_map_scan,
                     const std::vector<LoopEdge>& loops);
+
+  /// What is in the map of the first session stays where it is from now on.
+  void freezeMap();
 
   /// Optimises the graph up to scan `last` with new loops (none: once more with those it has). A
   /// solve that fails, and loops that override established ones, leave the last good poses; the new
@@ -114,6 +118,7 @@ class SlamGraph {
   std::size_t setState(const Batch& batch, LoopState from, LoopState to);
   bool tryBatch(ScanId last, Batch batch, PoseGraphSolution& solution);
   void tryRejected(ScanId last);
+  bool isFrozen(const Constraint& constraint) const;
   bool overridesEstablishedLoops(const Batch& batch, const std::vector<LoopFactor>& active,
                                  const std::vector<FactorResidual>& residuals) const;
   void take(PoseGraphSolution& solution, const LoopGraph& solved);
@@ -121,10 +126,11 @@ class SlamGraph {
   BackEndConfig config_;
   GnssFactors gnss_;
   GravityFactors gravity_;
-  std::vector<GraphNode> nodes_;     // by NodeId
-  SessionOffsets<ScanId> scans_;     // in nodes_
-  std::vector<LoopEdge> loops_;      // by LoopId
-  std::vector<Pose> optimised_;      // T_map_scan, by NodeId
+  std::vector<GraphNode> nodes_;  // by NodeId
+  SessionOffsets<ScanId> scans_;  // in nodes_
+  std::vector<LoopEdge> loops_;   // by LoopId
+  std::vector<Pose> optimised_;   // T_map_scan, by NodeId
+  std::set<SessionId> frozen_;
   Pose T_map_odom_;                  // of the newest session
   PoseGraphSolution last_solution_;  // without its poses and factors
   double moved_end_ = 0.0;
