@@ -22,6 +22,7 @@ constexpr double kSmallestAbove = 0.2;   // and one above: a ceiling over a floo
 
 double medianOf(const std::vector<Eigen::Vector3d>& vectors, int axis) {
   std::vector<double> values;
+  values.reserve(vectors.size());
   for (const Eigen::Vector3d& vector : vectors) values.push_back(vector[axis]);
   std::nth_element(values.begin(), values.begin() + kScans / 2, values.end());
   return values[kScans / 2];
