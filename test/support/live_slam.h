@@ -156,14 +156,20 @@ class LiveSlam {
   nodelet::Loader loader_{false};
 };
 
-/// The scans of a bag.
-inline std::vector<LiveSlam::CloudPtr> scansOf(const std::string& path) {
-  rosbag::Bag bag(path, rosbag::bagmode::Read);
-  rosbag::View view(bag, rosbag::TopicQuery("/points"));
-  std::vector<LiveSlam::CloudPtr> clouds;
+template <typename Message>
+std::vector<typename Message::ConstPtr> messagesOf(const std::string& bag_path,
+                                                   const std::string& topic) {
+  rosbag::Bag bag(bag_path, rosbag::bagmode::Read);
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  std::vector<typename Message::ConstPtr> messages;
   for (const rosbag::MessageInstance& message : view)
-    clouds.push_back(message.instantiate<sensor_msgs::PointCloud2>());
-  return clouds;
+    messages.push_back(message.instantiate<Message>());
+  return messages;
+}
+
+/// The scans of a bag.
+inline std::vector<LiveSlam::CloudPtr> scansOf(const std::string& bag_path) {
+  return messagesOf<sensor_msgs::PointCloud2>(bag_path, "/points");
 }
 
 }  // namespace revisit_slam

@@ -10,15 +10,6 @@ namespace {
 
 const char* const kAntenna = "-0.6 0.3 -0.2";  // seen from the sensor, which is the base here
 
-std::vector<sensor_msgs::NavSatFix::ConstPtr> positionsOf(const std::string& path) {
-  rosbag::Bag bag(path, rosbag::bagmode::Read);
-  rosbag::View view(bag, rosbag::TopicQuery("/fix"));
-  std::vector<sensor_msgs::NavSatFix::ConstPtr> positions;
-  for (const rosbag::MessageInstance& message : view)
-    positions.push_back(message.instantiate<sensor_msgs::NavSatFix>());
-  return positions;
-}
-
 TEST(Gnss, aLiveDriveIsWhereTheOfflineProgramHasIt) {
   DriveWithLoops& drive = DriveWithLoops::get();
   const OfflineProgram offline(drive.bag(), {"--set", "frames/base=", "gnss/topic=/fix",
@@ -39,7 +30,7 @@ TEST(Gnss, aLiveDriveIsWhereTheOfflineProgramHasIt) {
       "datum", 1, [&](const sensor_msgs::NavSatFix::ConstPtr& message) { datum = message; });
   slam.load();
   ASSERT_TRUE(becomesTrue([&] { return fixes.getNumSubscribers() > 0; }));
-  const auto positions = positionsOf(drive.bag());
+  const auto positions = messagesOf<sensor_msgs::NavSatFix>(drive.bag(), "/fix");
   ASSERT_GT(positions.size(), 50u);
   for (const auto& position : positions) fixes.publish(position);  // as early as can be
   slam.play(drive.clouds);

@@ -10,17 +10,6 @@
 namespace revisit_slam {
 namespace {
 
-template <typename Message>
-std::vector<typename Message::ConstPtr> messagesOf(const std::string& path,
-                                                   const std::string& topic) {
-  rosbag::Bag bag(path, rosbag::bagmode::Read);
-  rosbag::View view(bag, rosbag::TopicQuery(topic));
-  std::vector<typename Message::ConstPtr> messages;
-  for (const rosbag::MessageInstance& message : view)
-    messages.push_back(message.instantiate<Message>());
-  return messages;
-}
-
 TEST(Gravity, aLiveDriveIsAsLevelAsTheOfflineProgramHasIt) {
   DriveWithLoops& drive = DriveWithLoops::get();
   const OfflineProgram offline(

@@ -4,6 +4,7 @@
 #include <tf2_ros/transform_listener.h>
 #include <visualization_msgs/Marker.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -187,6 +188,15 @@ TEST(LocalizingLive, findsTheDriveInTheMapAndTakesAnother) {
   drawn.publish(pose);
   slam.play({half, half + 60});
   EXPECT_TRUE(becomesTrue([&] { return states.all().back()->state == "localized"; }));
+  slam.unload();
+  std::size_t scans = 0;  // each in the log of the map in which it was localized
+  for (const auto& entry : std::filesystem::directory_iterator(folder.file("drives"))) {
+    const std::string log = textOf(entry.path().string() + "/localization.csv");
+    const auto lines = static_cast<std::size_t>(std::count(log.begin(), log.end(), '\n'));
+    EXPECT_LE(lines, drive.clouds.size() / 2 + 1) << entry.path();
+    scans += lines - 1;
+  }
+  EXPECT_EQ(scans, drive.clouds.size() / 2 + 60);
 }
 
 }  // namespace
