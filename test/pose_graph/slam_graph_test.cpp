@@ -280,13 +280,35 @@ TEST(SlamGraph, AFrozenMapDoesNotFallApart) {
   for (std::uint32_t i = 0; i < kNodes; ++i)
     graph.add({ScanId{i, SessionId{2}}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
   const Pose held = graph.pose(ScanId{30, SessionId{1}});
-  LoopConstraint tie = straight(30, 7, 2.0);
-  tie.constraint.from.session = SessionId{1};
-  tie.constraint.to.session = SessionId{2};
-  LoopConstraint first = straight(20, 20, 1.0);
-  first.constraint.to.session = SessionId{2};
-  graph.optimise(ScanId{kNodes - 1, SessionId{2}}, {first, tie});
+  LoopConstraint first = straight(20, 20, 1.0), second = straight(30, 7);
+  first.constraint.to.session = second.constraint.to.session = SessionId{2};
+  second.constraint.from.session = SessionId{1};
+  const Pose T_map_7 =
+      graph.pose(ScanId{20}) * first.constraint.T_from_to * bentPose(20).inverse() * bentPose(7);
+  const Pose aside{Eigen::Quaterniond::Identity(), {0.0, 0.1, 0.0}};
+  second.constraint.T_from_to = held.inverse() * T_map_7 * aside;
+  ASSERT_TRUE(graph.optimise(ScanId{kNodes - 1, SessionId{2}}, {first, second}));
   EXPECT_EQ(graph.pose(ScanId{30, SessionId{1}}).matrix(), held.matrix());
+}
+
+/// Loops of the map that its poses contradict cannot be overridden: nothing moves them.
+TEST(SlamGraph, LoopsWithinAFrozenMapHaveNoVote) {
+  const SlamGraph bent = bentDrive();
+  std::vector<LoopEdge> loops;
+  for (const std::uint32_t i : {0u, 2u, 4u}) {
+    LoopEdge edge;
+    edge.loop = straight(i, 50 + i);
+    edge.weight = 1.0;
+    loops.push_back(edge);
+  }
+  SlamGraph graph({});
+  graph.addOptimised(bent.nodes(), bent.poses(), loops);
+  graph.freezeMap();
+  for (std::uint32_t i = 0; i < kNodes; ++i)
+    graph.add({ScanId{i, SessionId{1}}, Stamp{i}, bentPose(i), correlatedInformation(0.05, 0.03)});
+  LoopConstraint tie = straight(20, 20, 1.0);
+  tie.constraint.to.session = tie.source.session = SessionId{1};
+  EXPECT_TRUE(graph.optimise(ScanId{kNodes - 1, SessionId{1}}, {tie}));
 }
 
 TEST(SlamGraph, ASessionThatWasInNoMapIsNotFrozen) {

@@ -115,6 +115,22 @@ TEST(Solver, WithoutLoopsThereIsNothingToDo) {
   EXPECT_FALSE(solution.usable());
 }
 
+/// As of a survey that ends at two known points.
+TEST(Solver, AChainBetweenHeldEndsIsBent) {
+  PoseGraph graph;
+  for (int i = 0; i < 5; ++i)
+    graph.addNode({Eigen::Quaterniond::Identity(), {i < 4 ? 1.0 * i : 4.4, 0.0, 0.0}});
+  for (std::uint32_t i = 1; i < 5; ++i)
+    graph.addFactor(RelativePoseFactor{{NodeId{i - 1}, NodeId{i}},
+                                       {Eigen::Quaterniond::Identity(), {1.0, 0.0, 0.0}},
+                                       Matrix6::Identity()});
+  for (const std::uint32_t end : {0u, 4u}) graph.hold(NodeId{end});
+  const PoseGraphSolution solution = solve(graph, exactConfig());
+  EXPECT_EQ(solution.outcome, SolveOutcome::converged);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR(solution.poses[static_cast<std::size_t>(i)].translation.x(), 1.1 * i, 1e-6) << i;
+}
+
 TEST(Solver, PartsWithoutConnectionStayWhereTheyAre) {
   LapDrive drive = lapDrive(200, 50, 10);
   const Pose alone{expSO3({0.1, 0.2, 0.3}), {7.0, 8.0, 9.0}};
