@@ -77,8 +77,8 @@ bool isUpsideDown(const RegisteredScan& scan) {
 
 std::string describeUpsideDown(const std::string& frame) {
   return "the ground seems to be above '" + frame +
-         "': if it hangs upside down, map and grid do, too: broadcast its transform, with 3.14 rad "
-         "of roll more than now";
+         "': if it hangs upside down, so do map and grid; then broadcast its transform, with 3.14 "
+         "rad of roll more than now";
 }
 
 }  // namespace

@@ -30,8 +30,10 @@ LocalizationNodelet::~LocalizationNodelet() {
   scan_subscriber_.shutdown();
   start_subscriber_.shutdown();
   if (loader_) loader_->stop();
-  if (lane_) lane_->drain();
-  if (lane_) lane_->stop();
+  if (lane_) {
+    lane_->drain();
+    lane_->stop();
+  }
   map_publisher_.shutdown();
   endLog();
 }

@@ -48,10 +48,9 @@ struct RetroactiveConfig {
       "lower it if a search takes too long");
     v("max_partners", max_partners, Range{1, 1'000'000}, "",
       "number of other local maps that a local map has loops with from which on it is not "
-      "compared with a further one that has as many, and three of them in common with it. Raise it "
-      "if more of the passes through a place should be tied directly; lower it if laps of one "
-      "place "
-      "take too long");
+      "compared with a further one that has as many, and three of them in common with it. Raise "
+      "it if more of the passes through a place should be tied directly; lower it if laps of one "
+      "place take too long");
     v("search_at_end", search_at_end,
       "true: the local maps since the last loop by appearance are searched when the drive is over; "
       "false: only a loop by appearance starts a search, as in the paper");
