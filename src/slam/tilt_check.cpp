@@ -55,7 +55,8 @@ Points pointsNear(const RegisteredScan& scan, bool turned) {
 /// the sensor, of this height, does.
 double shareOnGround(const Points& points, double sensor_height) {
   const Pose T_level_points = levelOnGround(points);
-  std::size_t on = 0, below = 0;
+  std::size_t on = 0;
+  std::size_t below = 0;
   for (const Eigen::Vector3f& point : points) {
     const double height = (T_level_points * point.cast<double>()).z();
     on += std::abs(height) < kThickness ? 1 : 0;

@@ -79,7 +79,7 @@ TEST(TiltCheck, SaysNothingWithoutGround) {
   TiltCheck check;
   RegisteredScan scan;
   for (int i = 0; i < 20; ++i) {
-    scan.points_base.assign(3, Eigen::Vector3f(1.0f + i, 2.0f, 0.0f));
+    scan.points_base.assign(3, Eigen::Vector3f(1.0f + static_cast<float>(i), 2.0f, 0.0f));
     EXPECT_EQ(check.take(scan), "");
   }
 }
