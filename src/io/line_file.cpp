@@ -9,8 +9,8 @@ void LineFile::add(const std::string& line) {
   waiting_ += line;
   try {
     flush();
-  } catch (const std::runtime_error&) {
-    // It waits: flush() at the end tells.
+  } catch (const std::runtime_error& error) {
+    problem_ = error.what();
   }
 }
 
@@ -19,6 +19,7 @@ void LineFile::flush() {
   if (!file_) file_ = std::make_unique<GrowingFile>(path_);
   file_->append(file_->size() == 0 ? header_ + waiting_ : waiting_);
   waiting_.clear();
+  problem_.clear();
 }
 
 }  // namespace revisit_slam

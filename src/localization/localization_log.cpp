@@ -44,4 +44,8 @@ void LocalizationLog::flush() {
   for (LineFile* lines : {&trajectory_, &states_}) lines->flush();
 }
 
+const std::string& LocalizationLog::problem() const {
+  return states_.problem().empty() ? trajectory_.problem() : states_.problem();
+}
+
 }  // namespace revisit_slam

@@ -27,9 +27,11 @@ TEST(LineFile, LinesWaitUntilTheyCanBeWritten) {
   LineFile lines(folder.file("later/a.csv"), "number\n");
   lines.add("1\n");
   EXPECT_TRUE(lines.hasLines());
+  EXPECT_NE(lines.problem().find("later/a.csv"), std::string::npos) << lines.problem();
   EXPECT_THROW(lines.flush(), std::runtime_error);
   std::filesystem::create_directory(folder.file("later"));
   lines.add("2\n");
+  EXPECT_EQ(lines.problem(), "");
   EXPECT_EQ(textOf(folder.file("later/a.csv")), "number\n1\n2\n");
 }
 

@@ -21,13 +21,15 @@ class LineFile {
   void add(const std::string& line);
   /// @throws std::runtime_error naming the file, if there are lines that cannot be written.
   void flush();
+  /// Why lines wait; empty: none does.
+  const std::string& problem() const { return problem_; }
   /// Whether a line was added.
   bool hasLines() const { return file_ || !waiting_.empty(); }
 
  private:
   std::string path_, header_;
   std::unique_ptr<GrowingFile> file_;
-  std::string waiting_;
+  std::string waiting_, problem_;
 };
 
 }  // namespace revisit_slam

@@ -17,6 +17,8 @@ class LocalizationLog {
   void add(const Localization& now);
   /// Writes lines that wait. @throws std::runtime_error naming the file that cannot be written.
   void flush();
+  /// Why lines wait; empty: none does.
+  const std::string& problem() const;
 
  private:
   LineFile trajectory_, states_;

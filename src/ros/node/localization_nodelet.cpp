@@ -184,6 +184,8 @@ void LocalizationNodelet::write(const Localization& now) {
   std::error_code ignored;  // the log waits
   std::filesystem::create_directories(log_folder_, ignored);
   log_->add(now);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  log_problem_ = log_->problem();
 }
 
 void LocalizationNodelet::publish(const Localization& now) {
@@ -256,6 +258,10 @@ void LocalizationNodelet::diagnose(diagnostic_msgs::DiagnosticStatus& status) {
                                                              : status.WARN;
   status.message = toString(last_.state);
   if (!last_.reason.empty()) status.message += ": " + last_.reason;
+  if (!log_problem_.empty()) {
+    status.level = std::max<std::int8_t>(status.level, status.WARN);
+    status.message += "; what is localized is not on disk, and is tried again: " + log_problem_;
+  }
   addValue("travelled since the last fix (m)", std::to_string(last_.since_fix), status);
   addValue("overlap", std::to_string(last_.overlap), status);
   addValue("coherence", std::to_string(last_.coherence), status);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <revisit_slam/LocalizationStatus.h>
 #include <tf2_ros/transform_listener.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <set>
@@ -39,6 +41,14 @@ class Heard {
   std::vector<typename Message::ConstPtr> messages_;
   ros::Subscriber subscriber_;
 };
+
+/// Whether a status of the diagnostics came with this in its message.
+bool isDiagnosed(const Heard<diagnostic_msgs::DiagnosticArray>& heard, const std::string& text) {
+  for (const auto& array : heard.all())
+    for (const diagnostic_msgs::DiagnosticStatus& status : array->status)
+      if (status.level == status.WARN && contains(status.message, text)) return true;
+  return false;
+}
 
 std::set<std::string> statesOf(const Heard<LocalizationStatus>& heard) {
   std::set<std::string> states;
@@ -148,9 +158,17 @@ TEST(LocalizingLive, findsTheDriveInTheMapAndTakesAnother) {
   const Heard<geometry_msgs::PoseWithCovarianceStamped> poses(slam, "localized_pose");
   const Heard<sensor_msgs::PointCloud2> prior(slam, "prior_map");
   const Heard<visualization_msgs::Marker> texts(slam, "localization_text");
+  const Heard<diagnostic_msgs::DiagnosticArray> diagnostics(slam, "/diagnostics");
   slam.loadLocalization(savedMap());
+  std::filesystem::remove_all(folder.file("drives"));
+  std::ofstream(folder.file("drives")) << "no folder";
+  const auto tenth = drive.clouds.begin() + static_cast<std::ptrdiff_t>(drive.clouds.size() / 10);
   const auto half = drive.clouds.begin() + static_cast<std::ptrdiff_t>(drive.clouds.size() / 2);
-  slam.play({drive.clouds.begin(), half});
+  slam.play({drive.clouds.begin(), tenth});
+  EXPECT_TRUE(becomesTrue(
+      [&] { return isDiagnosed(diagnostics, "not on disk, and is tried again: cannot write"); }));
+  std::filesystem::remove(folder.file("drives"));  // none of what waited is lost
+  slam.play({tenth, half});
   ASSERT_TRUE(becomesTrue([&] { return statesOf(states).count("localized") > 0; }));
   ASSERT_TRUE(becomesTrue([&] { return poses.all().size() > 100; }));
   const std::string live = onlyEntryOf(folder.file("drives")) + "/";

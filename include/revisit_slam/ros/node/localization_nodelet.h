@@ -60,8 +60,9 @@ class LocalizationNodelet : public SlamNodelet {
   std::string log_folder_;
 
   std::atomic<std::size_t> thinned_scans_{0};
-  std::mutex mutex_;  // guards the next one
+  std::mutex mutex_;  // guards the next two
   Localization last_;
+  std::string log_problem_;  // why what is logged waits; empty: it does not
 
   std::unique_ptr<ThreadLane> lane_;
   std::unique_ptr<MapLoader> loader_;
