@@ -5,6 +5,7 @@
 
 #include "readers.h"
 #include "revisit_slam/io/record_file.h"
+#include "revisit_slam/session/known_map.h"
 #include "revisit_slam/session/map_export.h"
 #include "revisit_slam/session/stored_local_map.h"
 #include "revisit_slam/session/stored_submap.h"
@@ -28,7 +29,8 @@ const Kind kKinds[] = {{"session.yaml"},
                        {"local_maps/0000.rsm", "RSLOCMAP"},
                        {"optimisations.log", "", 1, "graph.log"},
                        {"optimisations.log", "RSGRAPH\n", 1, "graph.log"},
-                       {"submaps/000000.rsm", "RSSUBMAP", 2}};
+                       {"submaps/000000.rsm", "RSSUBMAP", 2},
+                       {"submaps/000001.rsm", "RSSUBMAP", 2}};  // away from the origin
 
 constexpr const char* kGood = REVISIT_SLAM_SOURCE_FOLDER "/test/session/format_1";
 
@@ -46,7 +48,7 @@ std::string fileOfRecords(const Kind& kind, const std::string& bytes) {
 /// Of a map of many kilometres the grid may take what its cells take: that is no finding.
 bool isSmall(const Session& session) {
   return std::all_of(session.graph.T_map_scan.begin(), session.graph.T_map_scan.end(),
-                     [](const Pose& T) { return T.translation.cwiseAbs().maxCoeff() < 500.0; });
+                     [](const Pose& T) { return (T.translation.array().abs() < 500.0).all(); });
 }
 
 std::string bytesOf(const Record& record) {
@@ -85,6 +87,7 @@ void readSessionFiles(const std::string& bytes) {
   const Session session = readSession(folder, notices);
   readSubmap(submapFile(folder, SubmapId{0}),
              {SubmapRecord::trajectory, SubmapRecord::points, SubmapRecord::normals});
+  readKnownMap(folder, {}, {}, notices);
   ExportConfig config;
   config.remove_dynamic = true;
   config.occupancy = isSmall(session);

@@ -45,6 +45,7 @@ Eigen::Vector3d positionOf(const TextRow& row, double scale) {
   constexpr double earth_radius = 6378137.0;  // m
   const double latitude = row.number(0), longitude = row.number(1);
   if (std::abs(latitude) > 89.0) row.fail("a latitude of " + row.words[0] + " degrees");
+  if (std::abs(longitude) > 360.0) row.fail("a longitude of " + row.words[1] + " degrees");
   return {scale * earth_radius * longitude * pi / 180.0,
           scale * earth_radius * std::log(std::tan((90.0 + latitude) * pi / 360.0)), row.number(2)};
 }

@@ -47,7 +47,9 @@ Bytes compressedPoints(const std::string& path, const PcdHeader& header, const B
   const auto decompressed = loadNumber<std::uint32_t, false>(body + 4);
   if (decompressed != wanted) cutOff(path, decompressed, wanted);
   if (compressed > there - 8) cutOff(path, there - 8, compressed);
-  if (wanted / best_ratio > compressed) cutOff(path, compressed, wanted / best_ratio);
+  if (wanted == 0) return {};
+  const std::size_t fewest = wanted / best_ratio + 1;
+  if (compressed < fewest) cutOff(path, compressed, fewest);
   Bytes field_by_field(wanted);
   const unsigned int got = pcl::lzfDecompress(body + 8, compressed, field_by_field.data(),
                                               static_cast<unsigned int>(wanted));

@@ -41,6 +41,7 @@ class G2oLine {
     const double value = std::strtod(next_, &end);
     if (end == next_) throw std::runtime_error("a number is missing");
     if (!std::isfinite(value)) throw std::runtime_error("a number is not finite");
+    if (std::abs(value) > kLargest) throw std::runtime_error("a number is larger than 1e30");
     next_ = end;
     return value;
   }
@@ -72,6 +73,8 @@ class G2oLine {
   }
 
  private:
+  static constexpr double kLargest = 1e30;  // squares of squares are finite
+
   void skipSpace() {
     while (std::isspace(static_cast<unsigned char>(*next_)) != 0) ++next_;
   }

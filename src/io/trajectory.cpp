@@ -22,7 +22,8 @@ namespace {
 
 /// Decimal seconds to nanoseconds, digit by digit: a double has no room for nanoseconds since 1970.
 std::optional<Stamp> parseStamp(const std::string& text) {
-  static const std::regex decimal("([+-]?)([0-9]{1,9}|1[0-9]{9}|[2-8][0-9]{9})(?:\\.([0-9]*))?");
+  static const std::regex decimal(
+      "([+-]?)([0-9]{1,9}|[1-3][0-9]{9}|4[0-2][0-9]{8})(?:\\.([0-9]*))?");
   constexpr std::size_t longest = 64;  // std::regex takes a piece of the stack for every letter
   std::smatch parts;
   if (text.size() > longest) return std::nullopt;
@@ -34,7 +35,7 @@ std::optional<Stamp> parseStamp(const std::string& text) {
   }
   char* end = nullptr;
   const double seconds = std::strtod(text.c_str(), &end);  // "1.7e9"
-  if (end == text.c_str() || *end != '\0' || !(std::abs(seconds) < 9e9)) return std::nullopt;
+  if (end == text.c_str() || *end != '\0' || !(std::abs(seconds) < 4.3e9)) return std::nullopt;
   return Stamp::fromSeconds(seconds);
 }
 

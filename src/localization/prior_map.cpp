@@ -48,7 +48,7 @@ class PriorMapReader {
   void attempt(const Work& work, const std::string& consequence) {
     try {
       work();
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       notices_.push_back(consequence + ": " + error.what());
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/priors/gnss_config.h"
 
-#include <cmath>
 #include <cstdio>
 
+#include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/util/number_list.h"
 
 namespace revisit_slam {
@@ -19,9 +19,10 @@ std::optional<GeodeticPosition> GnssConfig::givenDatum() const {
   const std::string form = "latitude (-90 to 90) longitude (-360 to 360) altitude (m), or empty";
   const std::vector<double> numbers = numbersOf(datum, 3, "gnss/datum", form);
   if (numbers.empty()) return std::nullopt;
-  if (std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0)
+  const GeodeticPosition position{numbers[0], numbers[1], numbers[2]};
+  if (!isValid(position))
     throw ParameterError("parameter 'gnss/datum' is '" + datum + "', not " + form);
-  return GeodeticPosition{numbers[0], numbers[1], numbers[2]};
+  return position;
 }
 
 GnssConfig GnssConfig::withDatumOf(const std::optional<GeodeticPosition>& map) const {

@@ -37,6 +37,7 @@ OccupancyVoxels composedOccupancy(const Session& session, const OccupancyConfig&
   for (const SubmapClosed& submap : session.submaps) {
     const SubmapOccupancyPtr occupancy = read(submap);
     if (!occupancy) continue;
+    checkResolution(submap.id, *occupancy, config);
     std::set<Tile> tiles;
     for (const Voxel& block : blocksReached(*occupancy, roundedPose(T_map_submap(submap), config)))
       tiles.insert(tileOf(block, config.resolution));

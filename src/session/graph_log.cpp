@@ -10,6 +10,7 @@
 #include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/io/bytes.h"
 #include "revisit_slam/io/record_file.h"
+#include "submap_bounds.h"
 
 namespace revisit_slam {
 namespace {
@@ -55,12 +56,8 @@ SubmapClosed getSubmap(ByteReader& bytes) {
   submap.stamp = bytes.stamp();
   for (Eigen::Vector3f* corner : {&submap.box_submap.min(), &submap.box_submap.max()})
     for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = bytes.get<float>();
-  constexpr float farthest = 1e4f;  // m, from its keypose
-  const auto is_far = [](const Eigen::Vector3f& corner) {
-    return !(corner.cwiseAbs().maxCoeff() < farthest);
-  };
   if (!submap.box_submap.isEmpty() &&
-      (is_far(submap.box_submap.min()) || is_far(submap.box_submap.max())))
+      (!isInBounds(submap.box_submap.min()) || !isInBounds(submap.box_submap.max())))
     throw std::runtime_error("a submap has no bounds");
   return submap;
 }
@@ -212,7 +209,10 @@ FixesAdded getFixes(ByteReader& bytes) {
     for (int axis = 0; axis < 3; ++axis) fix.p_scan[axis] = bytes.get<double>();
     fix.position = getPosition(bytes);
     for (int i = 0; i < 9; ++i) fix.covariance_enu(i / 3, i % 3) = bytes.get<double>();
-    if (!fix.p_scan.allFinite() || !fix.covariance_enu.allFinite() || carrier < fix.scan ||
+    const bool is_weighed = fix.covariance_enu.allFinite() &&
+                            fix.covariance_enu.diagonal().minCoeff() > 1e-12 &&
+                            fix.covariance_enu.llt().info() == Eigen::Success;
+    if (!isInBounds(fix.p_scan.cast<float>()) || !is_weighed || carrier < fix.scan ||
         carrier.session != fix.scan.session)
       throw std::runtime_error("a record has a position that is none");
   }

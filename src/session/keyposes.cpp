@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/session/keyposes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "revisit_slam/io/stored_pose.h"
 #include "revisit_slam/pose_graph/chain_piece.h"
 
 namespace revisit_slam {
@@ -30,7 +32,7 @@ std::vector<Pose> posesBetween(const std::vector<GraphNode>& nodes, std::size_t 
   return bentPiece(piece, T_map_first, T_map_last);
 }
 
-/// @throws std::invalid_argument for what is no number.
+/// @throws std::invalid_argument for what is no pose of this number.
 Pose poseOf(const std::string& line, std::size_t number) {
   std::istringstream fields(line);
   std::string field;
@@ -38,11 +40,13 @@ Pose poseOf(const std::string& line, std::size_t number) {
   if (std::stoul(field) != number) throw std::invalid_argument("number of the submap");
   std::array<double, 7> values{};
   for (double& value : values) {
-    std::getline(fields, field, ',');
+    if (!std::getline(fields, field, ',')) throw std::invalid_argument("seven numbers");
     value = std::stod(field);
   }
   const auto& [qx, qy, qz, qw, x, y, z] = values;
-  return {Eigen::Quaterniond(qw, qx, qy, qz), {x, y, z}};
+  Pose pose{Eigen::Quaterniond(qw, qx, qy, qz), {x, y, z}};
+  if (!fields.eof() || !isPose(pose)) throw std::invalid_argument("pose");
+  return pose;
 }
 
 }  // namespace
@@ -96,6 +100,8 @@ void moveToKeyposes(const std::vector<Pose>& T_map_submap, Session& session) {
   }
   while (T_map_scan.size() < graph.nodes.size())
     T_map_scan.push_back(graph.T_map_odom * graph.nodes[T_map_scan.size()].T_odom_base);
+  if (!std::all_of(T_map_scan.begin(), T_map_scan.end(), isPose))
+    throw std::runtime_error("the keyposes do not fit the drive in '" + session.folder + "'");
   if (graph.georeference && !T_map_scan.empty())  // of another map frame by now
     graph.georeference->T_enu_map =
         graph.georeference->T_enu_map * graph.T_map_scan.front() * T_map_scan.front().inverse();

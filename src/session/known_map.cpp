@@ -72,7 +72,7 @@ class KnownMapReader {
                                  std::to_string(stored.pixel));
       view.T_level_local = stored.T_level_local;
       view.features = stored.features;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       notices_.push_back("place " + std::to_string(id.value) +
                          " is not recognised: " + error.what());
     }
@@ -157,7 +157,7 @@ KnownMap readKnownMap(const std::string& folder, std::optional<SessionId> first,
     for (const LoopEdge& edge : map.session.graph.loops) map.loops.push_back(numbers(edge));
     KnownMapReader(recognition, notices, map).read();
     return map;
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     throw std::runtime_error("the session '" + folder + "' cannot be used: " + error.what());
   }
 }
@@ -201,7 +201,7 @@ void copyMaps(const KnownMap& map, SessionWriter& writer, bool reads_copies) {
   for (const LocalMapId id : local_maps) {
     try {
       writer.add(numbers(readLocalMap(localMapFile(session.folder, id, session.info.id))));
-    } catch (const std::runtime_error&) {
+    } catch (const std::exception&) {
       continue;  // said when the map was read
     }
   }

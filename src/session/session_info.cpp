@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "revisit_slam/geometry/local_enu.h"
 #include "revisit_slam/io/parameter_file.h"
 #include "revisit_slam/io/whole_file.h"
 #include "revisit_slam/io/yaml_text.h"
@@ -14,6 +15,7 @@
 namespace revisit_slam {
 namespace {
 
+constexpr double kLatest = 4.3e9;       // s: all that ROS can say
 constexpr int kFormat = 3;              // the newest
 constexpr int kFormatOfOneSession = 2;  // which older software can read
 
@@ -41,6 +43,7 @@ std::string softwareVersion() {
 
 std::vector<NamedText> textOf(const std::vector<Parameter>& parameters) {
   std::vector<NamedText> values;
+  values.reserve(parameters.size());
   for (const Parameter& parameter : parameters)
     values.emplace_back(parameter.name, valueText(parameter));
   return values;
@@ -100,6 +103,8 @@ SessionInfo readSessionInfo(const std::string& path) {
     info.software = session["software"].as<std::string>();
     info.id = SessionId{session["session"].as<std::uint32_t>()};
     info.start = {session["start"].as<std::int64_t>()};
+    if (info.start < Stamp{} || Stamp::fromSeconds(kLatest) < info.start)
+      throw std::runtime_error("it has begun at no time");
     info.map_frame = session["frames"]["map"].as<std::string>();
     info.odom_frame = session["frames"]["odom"].as<std::string>();
     info.base_frame = session["frames"]["base"].as<std::string>();
@@ -112,6 +117,7 @@ SessionInfo readSessionInfo(const std::string& path) {
     if (const YAML::Node datum = session["datum"])
       info.datum = GeodeticPosition{datum["latitude"].as<double>(), datum["longitude"].as<double>(),
                                     datum["altitude"].as<double>()};
+    if (info.datum && !isValid(*info.datum)) throw std::runtime_error("the datum is no position");
     info.parameters = flattened(session["parameters"]);
   } catch (const std::exception& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "revisit_slam/io/stored_pose.h"
 #include "revisit_slam/types/session_groups.h"
 
 namespace revisit_slam {
@@ -43,6 +44,18 @@ class LogReplay {
  private:
   bool isThere(ScanId scan) const { return scans_.contains(scan); }
 
+  /// Whether a loop lies between submaps that are there.
+  bool isBetweenSubmaps(const LoopConstraint& loop) const {
+    const auto begins = [this](SubmapId id, LocalMapId map, ScanId scan) {
+      if (!submap_order_.contains(id)) return false;
+      const SubmapClosed& submap = submaps[submap_order_[id]];
+      return submap.first_scan == scan && submap.local_map == map;
+    };
+    return loop.constraint.from != loop.constraint.to &&
+           begins(loop.target, loop.target_map, loop.constraint.from) &&
+           begins(loop.source, loop.source_map, loop.constraint.to);
+  }
+
   void add(const SubmapClosed& submap) {
     const SessionId session = submap.id.session;
     const bool begins = submaps.empty() || submaps.back().id.session != session;
@@ -53,6 +66,10 @@ class LogReplay {
       throw std::runtime_error("submap " + std::to_string(submap.id.value) +
                                " does not follow what comes before");
     append(submap.id, submap_order_);
+    const LocalMapId map = submap.local_map;
+    const bool is_new = begins || submaps.back().local_map != map;
+    if (map.session != session) throw std::runtime_error("a submap is in a map of another session");
+    if (is_new) append(map, map_order_);
     submaps.push_back(submap);
   }
 
@@ -91,10 +108,11 @@ class LogReplay {
   void add(const GraphOptimised& optimised) {
     const auto is_beyond = [&](const LoopConstraint& loop) {
       const ScanId from = loop.constraint.from, to = loop.constraint.to;
-      return !isThere(from) || !isThere(to) || from == to || optimised.last_scan < from ||
-             optimised.last_scan < to;
+      return !isBetweenSubmaps(loop) ||
+             std::max(scans_[from], scans_[to]) > scans_[optimised.last_scan];
     };
     if (!isThere(optimised.last_scan) ||
+        (version_ > 0 && scans_[optimised.last_scan] < scans_[last_scan_]) ||
         std::any_of(optimised.constraints.begin(), optimised.constraints.end(), is_beyond) ||
         (optimised.disabled && optimised.disabled->value >= graph.loops.size()) ||
         optimised.decisions.size() != graph.loops.size() + optimised.constraints.size() ||
@@ -136,7 +154,7 @@ class LogReplay {
   void add(const SessionsTakenOver& taken) {
     const auto is_beyond = [&](const LoopEdge& edge) {
       const ScanId from = edge.loop.constraint.from, to = edge.loop.constraint.to;
-      return from == to || !isThere(from) || !isThere(to) ||
+      return !isBetweenSubmaps(edge.loop) ||
              std::max(scans_[from], scans_[to]) >= taken.T_map_scan.size();
     };
     if (taken.T_map_scan.empty() || taken.T_map_scan.size() > graph.nodes.size() ||
@@ -199,6 +217,7 @@ class LogReplay {
   std::vector<Pose> T_map_keypose_, T_map_scan_;
   SessionOffsets<ScanId> scans_;           // of graph.nodes
   SessionOffsets<SubmapId> submap_order_;  // of submaps
+  SessionOffsets<LocalMapId> map_order_;   // of their local maps
 };
 
 /// Up to the first entry that does not follow those before.
@@ -207,7 +226,7 @@ LogReplay replayed(const GraphLog& log, const StoredParameters& parameters, bool
   LogReplay replay(parameters, with_solver);
   try {
     for (const LogEntry& entry : log.entries) replay.take(entry);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     problem = error.what();
   }
   return replay;
@@ -308,6 +327,8 @@ Session readSession(const std::string& folder, std::vector<std::string>& notices
         "' ended while the sessions that it goes on from were copied: it has neither "
         "their loops nor their corrected poses, which are where they were copied from");
   replay.placeScans();
+  if (!std::all_of(replay.graph.T_map_scan.begin(), replay.graph.T_map_scan.end(), isPose))
+    throw std::runtime_error("the session in '" + folder + "' cannot be used: a scan is nowhere");
   session.submaps = std::move(replay.submaps);
   session.graph = std::move(replay.graph);
   return session;

@@ -132,6 +132,13 @@ std::vector<LoopEdge> decodeLoops(const std::string& payload) {
   return loops;
 }
 
+void requireBetweenSubmaps(const SessionSummary& summary) {
+  for (const LoopEdge& edge : summary.loops)
+    if (edge.loop.target.value >= summary.submaps.size() ||
+        edge.loop.source.value >= summary.submaps.size() || edge.loop.target == edge.loop.source)
+      throw std::runtime_error("a loop is not between its submaps");
+}
+
 std::string encodeHead(const SessionSummary& summary) {
   ByteWriter bytes;
   bytes.put(summary.start);
@@ -190,6 +197,7 @@ SessionSummary readSummary(const std::string& path) {
     }
     summary.places = localMapsOf(file.records);
     if (summary.submaps.empty()) throw std::runtime_error("it has no submap");
+    requireBetweenSubmaps(summary);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("'" + path + "' cannot be used: " + error.what());
   }

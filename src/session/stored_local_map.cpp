@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/session/stored_local_map.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "revisit_slam/io/bytes.h"
@@ -62,6 +63,8 @@ std::vector<StoredLocalMap> localMapsOf(const std::vector<Record>& records) {
       while (bytes.left() > 0) {
         const auto i = bytes.get<std::int16_t>(), j = bytes.get<std::int16_t>();
         map.features.keypoints.push_back({i, j, bytes.get<float>()});
+        if (!std::isfinite(map.features.keypoints.back().angle))
+          throw std::runtime_error("a feature has no direction");
         for (std::uint64_t& word : map.features.descriptors.emplace_back())
           word = bytes.get<std::uint64_t>();
       }

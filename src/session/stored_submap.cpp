@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "revisit_slam/session/stored_submap.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 
 #include "revisit_slam/io/bytes.h"
 #include "revisit_slam/io/record_file.h"
+#include "submap_bounds.h"
 
 namespace revisit_slam {
 namespace {
@@ -84,9 +86,12 @@ void readHead(ByteReader bytes, Submap& submap) {
   submap.travelled_begin = bytes.get<double>();
   submap.travelled_end = bytes.get<double>();
   submap.T_odom_submap = bytes.pose();
+  if (!std::isfinite(submap.travelled_begin) || !std::isfinite(submap.travelled_end))
+    throw std::runtime_error("a submap has no length");
   if (bytes.left() == 0) return;  // written before these were
   submap.scale = bytes.get<double>();
-  if (!(submap.scale > 0.0)) throw std::runtime_error("a submap has no scale");
+  if (!(submap.scale > 1e-3 && submap.scale <= 1.0))  // MapScale makes maps no coarser
+    throw std::runtime_error("a submap has no scale");
   submap.unsure_begin.weak = bytes.get<double>();
   submap.unsure_begin.doubt = bytes.get<double>();
   // Where it was not told from the plane, both are as weak.
@@ -98,23 +103,39 @@ void readTrajectory(ByteReader bytes, Submap& submap) {
   while (bytes.left() > 0) {
     submap.stamps.push_back(bytes.stamp());
     submap.T_submap_scan.push_back(bytes.pose());
+    if (!isInBounds(submap.T_submap_scan.back().translation.cast<float>()))
+      throw std::runtime_error("a scan is far from its submap");
   }
 }
 
-/// What lies farther from the keypose is in no submap, and would overflow the map.
-constexpr float kFarthest = 1e4f;  // m
+constexpr double kFinest = 1e-3;  // m, of the edges of voxels
 constexpr int kFarthestBlock = 1'000'000;
 
 Points readPoints(ByteReader bytes) {
   Points points = bytes.rest<Eigen::Vector3f>();
   for (const Eigen::Vector3f& point : points)
-    if (!(point.cwiseAbs().maxCoeff() < kFarthest)) throw std::runtime_error("a point is none");
+    if (!isInBounds(point)) throw std::runtime_error("a point is none");
   return points;
+}
+
+Points readNormals(ByteReader bytes) {
+  constexpr float longest = 1.001f;  // squared; that of a point without a plane is zero
+  Points normals = bytes.rest<Eigen::Vector3f>();
+  for (const Eigen::Vector3f& normal : normals)
+    if (!(normal.squaredNorm() < longest)) throw std::runtime_error("a normal is none");
+  return normals;
+}
+
+std::vector<float> readIntensities(ByteReader bytes) {
+  std::vector<float> intensities = bytes.rest<float>();
+  for (const float intensity : intensities)
+    if (!std::isfinite(intensity)) throw std::runtime_error("an intensity is none");
+  return intensities;
 }
 
 SubmapOccupancyPtr readOccupancy(ByteReader bytes) {
   const auto resolution = bytes.get<double>();
-  if (!(resolution > 0.0)) throw std::runtime_error("voxels have no edge");
+  if (!(resolution > kFinest)) throw std::runtime_error("voxels have no edge");
   auto occupancy = std::make_shared<SubmapOccupancy>(resolution);
   std::optional<Voxel> last;
   while (bytes.left() > 0) {
@@ -144,7 +165,7 @@ Sightings readSightings(ByteReader bytes) {
     group.scan = bytes.get<std::uint32_t>();
     for (int axis = 0; axis < 3; ++axis) group.sensor_base[axis] = bytes.get<float>();
     group.end = bytes.get<std::uint32_t>();
-    if (group.end < last || !(group.sensor_base.cwiseAbs().maxCoeff() < kFarthest))
+    if (group.end < last || !isInBounds(group.sensor_base))
       throw std::runtime_error("sightings are none");
     last = group.end;
     sightings.groups.push_back(group);
@@ -165,7 +186,7 @@ void take(const Record& record, Submap& submap, MapUpdate& update) {
       submap.points = readPoints(bytes);
       return;
     case SubmapRecord::normals:
-      submap.normals = ByteReader(record.payload).rest<Eigen::Vector3f>();
+      submap.normals = readNormals(bytes);
       return;
     case SubmapRecord::detail:
       update.detail_submap = readPoints(bytes);
@@ -177,7 +198,7 @@ void take(const Record& record, Submap& submap, MapUpdate& update) {
       update.sightings = readSightings(bytes);
       return;
     case SubmapRecord::intensities:
-      update.intensities = ByteReader(record.payload).rest<float>();
+      update.intensities = readIntensities(bytes);
       return;
   }
 }
@@ -209,6 +230,10 @@ MapUpdate readSubmap(const std::string& path, const std::set<SubmapRecord>& want
   MapUpdate update;
   try {
     for (const Record& record : file.records) take(record, *submap, update);
+    const bool are_of_the_points = wanted.count(SubmapRecord::points) == 0 ||
+                                   wanted.count(SubmapRecord::normals) == 0 ||
+                                   submap->normals.size() == submap->points.size();
+    if (!are_of_the_points) throw std::runtime_error("normals are of other points");
     const bool are_of_the_detail = update.intensities.empty() ||
                                    wanted.count(SubmapRecord::detail) == 0 ||
                                    update.intensities.size() == update.detail_submap.size();

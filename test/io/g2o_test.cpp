@@ -90,6 +90,7 @@ TEST(G2o, ErrorsNameTheLine) {
   expectAt(1, "unknown type 'VERTEX_SE2'", "VERTEX_SE2 0 1 2 3\n");
   expectAt(2, "a number is missing", "\nVERTEX_SE3:QUAT 0 1 2 3 0 0 0\n");
   expectAt(1, "not finite", "VERTEX_SE3:QUAT 0 1 2 nan 0 0 0 1\n");
+  expectAt(1, "larger than 1e30", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1e200\n");
   expectAt(1, "no length", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 0\n");
   expectAt(1, "'-1' is no id", "VERTEX_SE3:QUAT -1 1 2 3 0 0 0 1\n");
   expectAt(1, "too much at '9'", "VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1 9\n");

@@ -28,16 +28,19 @@ class KeyposesTest : public testing::Test {
 
 TEST_F(KeyposesTest, AreReadToTheLastBit) {
   RandomNumbers random(1);
-  std::vector<Pose> poses;
-  for (int i = 0; i < 20; ++i) poses.push_back(random.pose(1e4));
+  std::vector<Pose> poses(20);
+  for (Pose& pose : poses) pose = random.pose(1e4);
   const std::vector<Pose> read = readKeyposes(folder_.with("k.csv", keyposeText(poses)));
   ASSERT_EQ(read.size(), poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(read[i].translation, poses[i].translation);
     EXPECT_EQ(read[i].rotation.coeffs(), poses[i].rotation.coeffs());
   }
-  EXPECT_THROW(readKeyposes(folder_.with("k.csv", keyposeText(poses) + "20,1,x\n")),
-               std::runtime_error);
+  for (const char* line : {"20,1,x", "20,0,0,0,1,5,6", "20,0,0,0,1,5,6,7,8", "20,0,0,0,0,5,6,7",
+                           "20,0,0,0,1,nan,6,7", "20,0,0,0,1,1e12,6,7"})
+    EXPECT_THROW(readKeyposes(folder_.with("k.csv", keyposeText(poses) + line + "\n")),
+                 std::runtime_error)
+        << line;
 }
 
 TEST_F(KeyposesTest, TheSameKeyposesMoveNothing) {

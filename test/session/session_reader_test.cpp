@@ -103,8 +103,19 @@ TEST_F(SessionReaderTest, EntriesThatCannotBeEndTheLogAndNothingElse) {
   GraphOptimised undecided = beyond;
   undecided.constraints = {someLoop()};
   undecided.decisions[0].state = static_cast<LoopState>(200);
-  for (const LogEntry& entry : {LogEntry(elsewhere), LogEntry(nowhere), LogEntry(foreign),
-                                LogEntry(endless), LogEntry(beyond), LogEntry(undecided)}) {
+  SubmapClosed cornerless = closedOf(*drive.updates[0]->submap, {Eigen::Vector3f::Zero()});
+  cornerless.box_submap.min().x() = std::nanf("");
+  GraphOptimised unknown = beyond;
+  unknown.constraints = {someLoop()};
+  unknown.constraints[0].target.value = 1u << 30;
+  GraphOptimised between_others = beyond;
+  between_others.constraints = {someLoop()};
+  ++between_others.constraints[0].constraint.to.value;
+  const ParametersChanged unreadable{{{"backend/drift", "nan"}}};
+  for (const LogEntry& entry :
+       {LogEntry(elsewhere), LogEntry(nowhere), LogEntry(foreign), LogEntry(endless),
+        LogEntry(cornerless), LogEntry(beyond), LogEntry(unknown), LogEntry(between_others),
+        LogEntry(undecided), LogEntry(unreadable)}) {
     overwrite("/graph.log", log + encodeEntry(entry));
     const Session session = read();
     ASSERT_EQ(notices_.size(), 1u) << entry.index();
@@ -112,6 +123,25 @@ TEST_F(SessionReaderTest, EntriesThatCannotBeEndTheLogAndNothingElse) {
     EXPECT_EQ(session.submaps.size(), submaps);
     EXPECT_EQ(session.graph.T_map_scan.size(), drive.nodes.size());
   }
+}
+
+/// What a good graph log says of the loop is read; of each above only what is changed is not.
+TEST_F(SessionReaderTest, ALoopBetweenItsSubmapsIsRead) {
+  GraphOptimised optimised;
+  optimised.version = 1;
+  optimised.last_scan = StreetDrive::get().nodes.back().id;
+  optimised.constraints = {someLoop()};
+  optimised.decisions.resize(1);
+  overwrite("/graph.log", textOf(path_ + "/graph.log") + encodeEntry(LogEntry(optimised)));
+  EXPECT_EQ(read().graph.loops.size(), 1u);
+}
+
+TEST_F(SessionReaderTest, ADatumThatIsNowhereIsRefused) {
+  const std::string yaml = textOf(path_ + "/session.yaml");
+  overwrite("/session.yaml", yaml + "datum: {latitude: 48.0, longitude: 11.0, altitude: 500}\n");
+  EXPECT_TRUE(read().info.datum);
+  overwrite("/session.yaml", yaml + "datum: {latitude: .nan, longitude: 11.0, altitude: 500}\n");
+  EXPECT_THROW(read(), std::runtime_error);
 }
 
 TEST_F(SessionReaderTest, WithoutItsDescriptionOrLogAFolderIsRefusedWithTheReason) {

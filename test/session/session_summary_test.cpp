@@ -62,6 +62,8 @@ TEST_F(SessionSummaryTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read.loops.at(0).state, LoopState::rejected);
   ASSERT_EQ(read.places.size(), 2u);
   EXPECT_EQ(read.places[1].features.descriptors, place.features.descriptors);
+  summary.loops[0].loop.target.value = 1u << 30;
+  EXPECT_THROW(readSummary(folder_.with("loop.rss", encodeSummary(summary))), std::runtime_error);
   EXPECT_THROW(readSummary(folder_.with("cut.rss", bytes.substr(0, bytes.size() - 9))),
                std::runtime_error);
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/street_revisit.h"
 #include "support/temporary_folder.h"
 
@@ -23,6 +25,10 @@ TEST(StoredLocalMap, IsReadAsPlaceRecognitionComparesIt) {
   EXPECT_EQ(read.T_level_local.translation, view.T_level_local.translation);
   EXPECT_EQ(read.features.descriptors, view.features.descriptors);
   EXPECT_EQ(encodeLocalMap(read), encodeLocalMap(stored));
+  StoredLocalMap undirected = stored;
+  undirected.features.keypoints[1].angle = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(readLocalMap(folder.with("nan.rsm", encodeLocalMap(undirected))),
+               std::runtime_error);
   EXPECT_THROW(readLocalMap(folder.with("cut.rsm", encodeLocalMap(stored).substr(0, 90))),
                std::runtime_error);
 }

@@ -57,7 +57,29 @@ TEST(StoredSubmap, ContentsThatCannotBeAreRefusedWithTheFile) {
   others.sightings.lasted.pop_back();
   MapUpdate brighter = *StreetDrive::get().updates.at(1);
   brighter.intensities.resize(brighter.detail_submap.size() + 1);
-  for (const MapUpdate& update : {nowhere, far, others, brighter}) try {
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  MapUpdate unplaced = *StreetDrive::get().updates.at(1);
+  unplaced.detail_submap[0].x() = none;
+  MapUpdate unlit = *StreetDrive::get().updates.at(1);
+  unlit.intensities.assign(unlit.detail_submap.size(), none);
+  const auto with_normals = [&](auto change) {
+    MapUpdate update = *StreetDrive::get().updates.at(1);
+    auto submap = std::make_shared<Submap>(*update.submap);
+    change(submap->normals);
+    update.submap = submap;
+    return update;
+  };
+  const MapUpdate undirected = with_normals([&](Points& normals) { normals[0].y() = none; });
+  MapUpdate carried = *StreetDrive::get().updates.at(1);
+  auto far_scan = std::make_shared<Submap>(*carried.submap);
+  far_scan->T_submap_scan.back().translation.z() = 9e6;
+  carried.submap = far_scan;
+  MapUpdate fine = *StreetDrive::get().updates.at(1);
+  fine.occupancy = std::make_shared<SubmapOccupancy>(1e-300);
+  const MapUpdate fewer = with_normals([](Points& normals) { normals.pop_back(); });
+  for (const MapUpdate& update :
+       {nowhere, far, others, brighter, unplaced, unlit, undirected, fewer, carried, fine})
+    try {
       readSubmap(folder.with("a.rsm", encodeSubmap(update)), kAll);
       FAIL();
     } catch (const std::runtime_error& error) {

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "revisit_slam/io/stored_pose.h"
 #include "revisit_slam/types/ids.h"
 #include "revisit_slam/types/pose.h"
 #include "revisit_slam/types/se3.h"
@@ -73,20 +74,25 @@ class ByteReader {
     take(&value, sizeof(value));
     return value;
   }
-  Stamp stamp() { return {get<std::int64_t>()}; }
+  Stamp stamp() {
+    const Stamp stamp{get<std::int64_t>()};
+    if (stamp < Stamp{-kLatest} || stamp > Stamp{kLatest})
+      throw std::runtime_error("a record has a stamp that is none");
+    return stamp;
+  }
   Pose pose() {
     Pose T;
     take(T.rotation.coeffs().data(), 4 * sizeof(double));
     take(T.translation.data(), 3 * sizeof(double));
-    if (!(std::abs(T.rotation.norm() - 1.0) < 1e-3) || !(T.translation.norm() < kFarthest))
-      throw std::runtime_error("a record has a pose that is none");
+    if (!isPose(T)) throw std::runtime_error("a record has a pose that is none");
     return T;
   }
   Matrix6 matrix() {
     Matrix6 matrix;
     for (int row = 0; row < 6; ++row)
       for (int column = 0; column < 6; ++column) matrix(row, column) = get<double>();
-    if (!matrix.allFinite()) throw std::runtime_error("a record has a matrix that is none");
+    if (!(matrix.array().abs() < kLargest).all())
+      throw std::runtime_error("a record has a matrix that is none");
     return matrix;
   }
   template <typename AnyId>
@@ -109,7 +115,8 @@ class ByteReader {
   std::size_t left() const { return bytes_.size() - position_; }
 
  private:
-  static constexpr double kFarthest = 1e8;  // m, more than twice around the earth
+  static constexpr double kLargest = 1e30;  // of entries: squares of squares are finite
+  static constexpr std::int64_t kLatest = 4'300'000'000'000'000'000;  // ns: all that ROS can say
 
   void take(void* data, std::size_t size) {
     if (size > left()) throw std::runtime_error("a record ends too early");
