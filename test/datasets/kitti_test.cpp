@@ -160,6 +160,8 @@ TEST(KittiRaw, GroundTruthIsMovedFromTheImuToTheVelodyne) {
              {Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ())),
               {30.9221 + 0.3, 0.8, 1.8}},
              1e-3);
+  ByteFile().text("0 1e304 110 0 0 0" + others).save(folder.file("drive/oxts/data/0000000001.txt"));
+  EXPECT_THROW(openDataset("kitti-raw", folder.file("drive"))->groundTruth(), DatasetError);
 }
 
 }  // namespace

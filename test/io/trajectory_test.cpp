@@ -78,8 +78,8 @@ TEST(Tum, SkipsCommentsAndNormalizesRotations) {
 
 TEST(Tum, NamesTheFileAndTheLineThatCannotBeRead) {
   const TemporaryFolder folder;
-  for (const std::string bad :
-       {"2.0 1 2 3 0 0 0", "2.0 1 2 x 0 0 0 1", "2.0", "stamp x y z a b c d"}) {
+  for (const std::string bad : {"2.0 1 2 3 0 0 0", "2.0 1 2 x 0 0 0 1", "2.0",
+                                "stamp x y z a b c d", "8999999999 1 2 3 0 0 0 1"}) {
     const auto path = folder.with("a.tum", "# comment\n1.0 1 2 3 0 0 0 1\n" + bad + "\n");
     const std::string message = messageOfReading(path);
     EXPECT_NE(message.find("line 3"), std::string::npos) << message;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "revisit_slam/session/map_export.h"
 #include "revisit_slam/session/stored_local_map.h"
@@ -87,6 +88,12 @@ TEST_F(SessionReaderTest, EntriesThatCannotBeEndTheLogAndNothingElse) {
   ScansAdded elsewhere{{drive.nodes.back()}};
   elsewhere.nodes[0].id.value = static_cast<std::uint32_t>(drive.nodes.size());
   ScansAdded nowhere = elsewhere;
+  ScansAdded timeless = elsewhere, weightless = elsewhere;
+  timeless.nodes[0].stamp.nanoseconds = std::numeric_limits<std::int64_t>::max();
+  weightless.nodes[0].information(0, 0) = 1e200;
+  GnssFix exact;
+  exact.position = {48.0, 11.0, 500.0};
+  exact.covariance_enu.setZero();
   elsewhere.nodes[0].id.session.value = 7;
   nowhere.nodes[0].T_odom_base.translation.x() = std::nan("");
   SubmapClosed foreign = closedOf(*drive.updates[0]->submap, {});
@@ -115,7 +122,8 @@ TEST_F(SessionReaderTest, EntriesThatCannotBeEndTheLogAndNothingElse) {
   for (const LogEntry& entry :
        {LogEntry(elsewhere), LogEntry(nowhere), LogEntry(foreign), LogEntry(endless),
         LogEntry(cornerless), LogEntry(beyond), LogEntry(unknown), LogEntry(between_others),
-        LogEntry(undecided), LogEntry(unreadable)}) {
+        LogEntry(undecided), LogEntry(unreadable), LogEntry(timeless), LogEntry(weightless),
+        LogEntry(FixesAdded{{{ScanId{0}, exact}}})}) {
     overwrite("/graph.log", log + encodeEntry(entry));
     const Session session = read();
     ASSERT_EQ(notices_.size(), 1u) << entry.index();
